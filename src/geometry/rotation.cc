@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/rotation.h"
+
+#include <cmath>
+
+namespace armature {
+
+Eigen::Matrix3d Skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d S;
+  S << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return S;
+}
+
+Eigen::Matrix3d ExpSO3(const Eigen::Vector3d& w) {
+  const double angle = w.norm();
+  if (angle < 1e-12) return Eigen::Matrix3d::Identity() + Skew(w);
+  return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
+}
+
+Eigen::Vector3d LogSO3(const Eigen::Matrix3d& R) {
+  const Eigen::AngleAxisd angle_axis(R);
+  return angle_axis.angle() * angle_axis.axis();
+}
+
+Eigen::Matrix3d LeftJacobianSO3(const Eigen::Vector3d& w) {
+  const double angle = w.norm();
+  const Eigen::Matrix3d W = Skew(w);
+  // Below 1e-4 rad the closed form loses digits; its Taylor series is exact there to double precision.
+  if (angle < 1e-4) return Eigen::Matrix3d::Identity() + 0.5 * W + W * W / 6.0;
+  const double angle2 = angle * angle;
+  return Eigen::Matrix3d::Identity() + (1 - std::cos(angle)) / angle2 * W +
+         (angle - std::sin(angle)) / (angle2 * angle) * W * W;
+}
+
+Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+double WrapAngle(double angle) {
+  const double turn = 2 * M_PI;
+  return angle - turn * std::floor((angle + M_PI) / turn);
+}
+
+}  // namespace armature

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading comma-separated tables with a header line. Blank lines and lines starting with '#' are skipped.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace armature {
+
+// One row; every access throws InputError naming file, line and column when the field is missing or malformed.
+class CsvRow {
+ public:
+  CsvRow(const class CsvTable* table, int line, std::vector<std::string> fields)
+      : table_(table), line_(line), fields_(std::move(fields)) {}
+
+  const std::string& Text(const std::string& column) const;
+  double Number(const std::string& column) const;  // finite
+  int Integer(const std::string& column) const;
+  bool IsEmpty(const std::string& column) const;
+  int line() const { return line_; }
+  // "file:line: message", ready to be thrown
+  std::string At(const std::string& message) const;
+
+ private:
+  const class CsvTable* table_;
+  int line_;
+  std::vector<std::string> fields_;
+};
+
+class CsvTable {
+ public:
+  // Throws InputError when the file cannot be read, has no header, lacks one of the required columns, or a row has
+  // another number of fields than the header.
+  CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns);
+  CsvTable(const CsvTable&) = delete;  // rows point to their table
+  CsvTable& operator=(const CsvTable&) = delete;
+
+  const std::vector<CsvRow>& rows() const { return rows_; }
+  const std::filesystem::path& file() const { return file_; }
+  bool HasColumn(const std::string& column) const;
+  // Position of a column; throws InputError when there is none.
+  size_t ColumnIndex(const std::string& column) const;
+
+ private:
+  std::filesystem::path file_;
+  std::vector<std::string> header_;
+  std::vector<CsvRow> rows_;
+};
+
+// A finite number from the whole of the text; throws InputError("`where`: ...") otherwise.
+double ParseNumber(const std::string& text, const std::string& where);
+
+}  // namespace armature

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the lines of one image say about one object: its pose, its shape and how sure both are.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string_view>
+#include <vector>
+
+#include "geometry/segment.h"
+
+namespace armature {
+
+// One edge of the wireframe explained by one line segment (an edge may be explained by several collinear fragments).
+struct EdgeMatch {
+  int edge = 0;     // index into the category's edges
+  Segment segment;  // pixels, the part inside the detection's grown box
+  double cost = 0;  // pixels: rms distance of the segment's ends from the projected edge
+};
+
+enum class EstimateStatus {
+  kOk,
+  kTooFewEdges,   // fewer matched edges than determine a pose
+  kBehindCamera,  // part of the object would be behind the camera
+  kDiverged,      // the optimisation did not reach a finite, plausible pose
+  kOffTheBox,     // the estimate's projection is not where the detection is
+};
+
+// "ok", "too_few_edges", "behind_camera", "diverged", "off_the_box"
+std::string_view StatusName(EstimateStatus status);
+
+struct ObjectEstimate {
+  EstimateStatus status = EstimateStatus::kTooFewEdges;
+  Eigen::Isometry3d T_camera_object = Eigen::Isometry3d::Identity();  // metres
+  Eigen::VectorXd coefficients;                                       // shape, standard deviations
+  // Of the pose, after marginalising over the shape. Order: rotation (radians), then translation (metres), both in the
+  // camera frame: R = exp(w) R_est, t = t_est + v.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
+  std::vector<EdgeMatch> matches;
+  double cost = 0;        // the association's cost of this estimate, smaller is better, see association/cost.h
+  double rms_pixels = 0;  // of the matched segments' ends from their projected edges
+  int iterations = 0;     // of the optimiser, all rounds of the winning hypothesis
+  bool ambiguous = false;  // another, clearly different turn explains the lines equally well; the prior decided
+};
+
+}  // namespace armature
