@@ -4,21 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <fstream>
 
 #include "io/errors.h"
+#include "io/nearest_name.h"
 
 namespace armature {
 namespace {
-
-std::string Trimmed(const std::string& text) {
-  const char* blanks = " \t\r";
-  const size_t first = text.find_first_not_of(blanks);
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::vector<std::string> SplitFields(const std::string& line) {
   std::vector<std::string> fields;
@@ -32,28 +23,16 @@ std::vector<std::string> SplitFields(const std::string& line) {
 
 }  // namespace
 
-double ParseNumber(const std::string& text, const std::string& where) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) {
-    throw InputError(fmt::format("{}: '{}' is not a finite number", where, text));
-  }
-  return value;
+const std::string& CsvRow::Text(const std::string& column) const {
+  return fields_[table_->ColumnIndex(column)];
 }
-
-const std::string& CsvRow::Text(const std::string& column) const { return fields_[table_->ColumnIndex(column)]; }
 
 double CsvRow::Number(const std::string& column) const {
   return ParseNumber(Text(column), At(fmt::format("column '{}'", column)));
 }
 
 int CsvRow::Integer(const std::string& column) const {
-  const double value = Number(column);
-  if (value != std::floor(value) || std::abs(value) > 1e9) {
-    throw InputError(At(fmt::format("column '{}': '{}' is not a whole number", column, Text(column))));
-  }
-  return static_cast<int>(value);
+  return ParseInteger(Text(column), At(fmt::format("column '{}'", column)));
 }
 
 bool CsvRow::IsEmpty(const std::string& column) const { return Text(column).empty(); }
@@ -64,24 +43,29 @@ std::string CsvRow::At(const std::string& message) const {
 
 CsvTable::CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns)
     : file_(std::move(file)) {
-  std::ifstream stream(file_);
-  if (!stream) throw InputError(fmt::format("{}: cannot be opened; does it exist and may it be read?", file_.string()));
-  std::string text;
-  for (int line = 1; std::getline(stream, text); ++line) {
-    text = Trimmed(text);
-    if (text.empty() || text[0] == '#') continue;
-    std::vector<std::string> fields = SplitFields(text);
+  for (const TextLine& line : ReadTextLines(file_)) {
+    std::vector<std::string> fields = SplitFields(line.text);
     if (header_.empty()) {
+      header_line_ = line.number;
       header_ = std::move(fields);
       continue;
     }
     if (fields.size() != header_.size()) {
-      throw InputError(fmt::format("{}:{}: {} fields where the header has {}", file_.string(), line, fields.size(),
-                                   header_.size()));
+      throw InputError(
+          fmt::format("{}:{}: {} fields where the header has {}; fill the row or leave fields empty",
+                      file_.string(), line.number, fields.size(), header_.size()));
     }
-    rows_.emplace_back(this, line, std::move(fields));
+    rows_.emplace_back(this, line.number, std::move(fields));
   }
-  if (header_.empty()) throw InputError(fmt::format("{}: has no header line", file_.string()));
+  if (header_.empty()) {
+    throw InputError(fmt::format("{}: has no header line; start it with '{}'", file_.string(),
+                                 fmt::join(required_columns, ",")));
+  }
+  for (const std::string& column : header_) {
+    if (std::count(header_.begin(), header_.end(), column) == 1) continue;
+    throw InputError(fmt::format("{}:{}: two columns are called {}; rename one", file_.string(), header_line_,
+                                 Quoted(column)));
+  }
   for (const std::string& column : required_columns) ColumnIndex(column);
 }
 
@@ -92,10 +76,18 @@ bool CsvTable::HasColumn(const std::string& column) const {
 size_t CsvTable::ColumnIndex(const std::string& column) const {
   const auto found = std::find(header_.begin(), header_.end(), column);
   if (found == header_.end()) {
-    throw InputError(fmt::format("{}: has no column '{}'; its header is '{}'", file_.string(), column,
-                                 fmt::join(header_, ",")));
+    throw InputError(fmt::format("{}:{}: has no column '{}'; add it to the header {}", file_.string(),
+                                 header_line_, column, Quoted(fmt::format("{}", fmt::join(header_, ",")))));
   }
   return static_cast<size_t>(found - header_.begin());
+}
+
+void CsvTable::CheckColumnsKnown(const std::vector<std::string>& known) const {
+  for (const std::string& column : header_) {
+    if (std::find(known.begin(), known.end(), column) != known.end()) continue;
+    throw InputError(
+        fmt::format("{}:{}: {}", file_.string(), header_line_, UnknownNameMessage("column", column, known)));
+  }
 }
 
 }  // namespace armature

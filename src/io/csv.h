@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading comma-separated tables with a header line. Blank lines and lines starting with '#' are skipped.
+// Reading comma-separated tables with a header line. Blank lines and '#' comments are skipped; no quoting.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "io/text.h"
+
 namespace armature {
 
-// One row; every access throws InputError naming file, line and column when the field is missing or malformed.
+// One row; every access throws InputError naming file, line and column when the field is missing or
+// malformed.
 class CsvRow {
  public:
   CsvRow(const class CsvTable* table, int line, std::vector<std::string> fields)
@@ -30,8 +33,8 @@ class CsvRow {
 
 class CsvTable {
  public:
-  // Throws InputError when the file cannot be read, has no header, lacks one of the required columns, or a row has
-  // another number of fields than the header.
+  // Throws InputError when the file cannot be read, has no header, names a column twice, lacks one of the
+  // required columns, or a row has another number of fields than the header.
   CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns);
   CsvTable(const CsvTable&) = delete;  // rows point to their table
   CsvTable& operator=(const CsvTable&) = delete;
@@ -41,14 +44,14 @@ class CsvTable {
   bool HasColumn(const std::string& column) const;
   // Position of a column; throws InputError when there is none.
   size_t ColumnIndex(const std::string& column) const;
+  // Throws InputError when the header has a column that is not among the known ones, naming the nearest.
+  void CheckColumnsKnown(const std::vector<std::string>& known) const;
 
  private:
   std::filesystem::path file_;
+  int header_line_ = 0;
   std::vector<std::string> header_;
   std::vector<CsvRow> rows_;
 };
-
-// A finite number from the whole of the text; throws InputError("`where`: ...") otherwise.
-double ParseNumber(const std::string& text, const std::string& where);
 
 }  // namespace armature

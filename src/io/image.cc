@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/image.h"
+
+#include <fmt/format.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <string_view>
+
+#include "io/errors.h"
+#include "io/text.h"
+
+namespace armature {
+namespace {
+
+// A complete JPEG has an end-of-image mark behind its last start of scan; the decoder fills what is missing
+// with grey.
+bool IsTruncatedJpeg(std::string_view bytes) {
+  if (!bytes.starts_with("\xFF\xD8")) return false;
+  const size_t last_scan = bytes.rfind("\xFF\xDA");
+  return last_scan == std::string_view::npos || bytes.find("\xFF\xD9", last_scan) == std::string_view::npos;
+}
+
+cv::Mat Decode(std::string& bytes) {
+  if (bytes.empty() || IsTruncatedJpeg(bytes)) return {};
+  try {
+    return cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()), cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+ImageResult ReadImage(const std::filesystem::path& file) {
+  std::string bytes;
+  try {
+    bytes = ReadTextFile(file);
+  } catch (const InputError& error) {
+    return {std::nullopt, error.what()};
+  }
+  cv::Mat image = Decode(bytes);
+  if (image.empty()) {
+    return {std::nullopt,
+            fmt::format("{}: is not a complete image that can be decoded; replace the file", file.string())};
+  }
+  return {std::move(image), ""};
+}
+
+ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera) {
+  ImageResult result = ReadImage(file);
+  if (!result.image) return result;
+  if (result.image->cols == camera.width && result.image->rows == camera.height) return result;
+  return {std::nullopt,
+          fmt::format("{}: is {} x {} pixels where the camera has {} x {}; correct sequence.yaml or "
+                      "replace the image",
+                      file.string(), result.image->cols, result.image->rows, camera.width, camera.height)};
+}
+
+}  // namespace armature

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading images.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+
+#include "geometry/camera.h"
+
+namespace armature {
+
+struct ImageResult {
+  std::optional<cv::Mat> image;  // 8-bit BGR
+  std::string error;             // "file: what is wrong; remedy", one line, when there is no image
+};
+
+// Reads the whole image, which has to be of the camera's size. A truncated JPEG counts as unreadable. Never
+// throws for bad files: the caller decides whether one unreadable image is skipped or ends the run.
+ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera);
+
+// The same for an image of any size.
+ImageResult ReadImage(const std::filesystem::path& file);
+
+}  // namespace armature

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A sequence folder: the input of a run. Files: sequence.yaml, rgb.txt, detections.csv and, optionally,
+// odometry.txt. Ground truth is never read here.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "association/detection.h"
+#include "geometry/camera.h"
+#include "io/trajectory.h"
+
+namespace armature {
+
+// What sequence.yaml says.
+struct SequenceSettings {
+  std::string name;  // a plain word that can name a folder
+  double fps = 0;    // images a second
+  Camera camera;
+  std::optional<Eigen::Vector3d> up;  // unit, up in the frame of the odometry
+  bool odometry_metric = false;       // the odometry is in metres; its scale is unknown otherwise
+};
+
+struct ImageEntry {
+  double timestamp = 0;  // seconds
+  std::filesystem::path file;
+  int line = 0;  // of rgb.txt
+};
+
+struct Sequence {
+  std::string name;
+  double fps = 0;
+  Camera camera;
+  std::optional<Eigen::Vector3d> up;  // unit, frame of the odometry
+  bool odometry_metric = false;
+  std::filesystem::path folder;
+  std::vector<ImageEntry> images;                  // by growing stamps, at least one
+  std::vector<std::vector<Detection>> detections;  // per image, in the order of the file; angles in radians
+  std::vector<std::optional<Eigen::Isometry3d>> T_odom_camera;  // per image, where the odometry has its stamp
+  std::vector<TimedPose> odometry;                              // the whole file; empty when there is none
+};
+
+// Reads the folder. Throws InputError naming file, line and remedy for everything that is not as documented
+// in datasets/README.md: a missing or malformed file, an unknown key, column or category, a listed image that
+// does not exist, stamps that do not grow, a detection without image, a box outside its image, a score
+// outside 0..1. `categories`: names of the known category models.
+Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories);
+
+// The parts of LoadSequence.
+SequenceSettings ReadSequenceSettings(const std::filesystem::path& file);
+std::vector<ImageEntry> ReadImageList(
+    const std::filesystem::path& file);  // image files relative to the list's folder
+// Per image; `images` by growing stamps.
+std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& file,
+                                                   const std::vector<ImageEntry>& images,
+                                                   const Camera& camera,
+                                                   const std::vector<std::string>& categories);
+
+}  // namespace armature

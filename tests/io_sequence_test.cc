@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "geometry/rotation.h"
+#include "io/sequence.h"
+#include "support/expect_input_error.h"
+#include "support/shared_data.h"
+#include "support/temp_folder.h"
+#include "support/tiny_sequence.h"
+
+namespace armature {
+namespace {
+
+using testing::ExpectInputError;
+using testing::kTinyDetectionsHeader;
+using testing::kTinySequenceYaml;
+
+const std::vector<std::string> kCategories{"chair", "laptop", "table"};
+
+class SequenceTest : public ::testing::Test {
+ protected:
+  SequenceTest() { testing::WriteTinySequence(folder_); }
+
+  Sequence Load() const { return LoadSequence(folder_.path(), kCategories); }
+
+  // Replaces one file and expects the load to fail with all of the texts in the message.
+  void ExpectErrorWith(const std::string& file, const std::string& content,
+                       std::vector<std::string> texts) const {
+    folder_.Write(file, content);
+    texts.push_back(file);
+    ExpectInputError([&] { Load(); }, texts);
+  }
+
+  void ExpectYamlError(const std::string& from, const std::string& to,
+                       const std::vector<std::string>& texts) const {
+    std::string yaml = kTinySequenceYaml;
+    yaml.replace(yaml.find(from), from.size(), to);
+    ExpectErrorWith("sequence.yaml", yaml, texts);
+  }
+
+  void ExpectDetectionError(const std::string& row, const std::vector<std::string>& texts) const {
+    ExpectErrorWith("detections.csv", kTinyDetectionsHeader + row + "\n", texts);
+  }
+
+  testing::TempFolder folder_;
+};
+
+TEST_F(SequenceTest, ReadsEverything) {
+  const Sequence sequence = Load();
+  EXPECT_EQ(sequence.name, "tiny");
+  EXPECT_EQ(sequence.fps, 5);
+  EXPECT_EQ(sequence.camera.width, 64);
+  EXPECT_EQ(sequence.camera.fy, 61);
+  EXPECT_EQ(sequence.camera.distortion[0], 0.1);
+  EXPECT_FALSE(sequence.odometry_metric);
+  ASSERT_TRUE(sequence.up);
+  EXPECT_TRUE(sequence.up->isApprox(Eigen::Vector3d(0, -1, 0)));
+  ASSERT_EQ(sequence.images.size(), 2u);
+  EXPECT_EQ(sequence.images[1].file, folder_ / "rgb/1.png");
+  EXPECT_EQ(sequence.images[1].line, 3);
+}
+
+TEST_F(SequenceTest, AssignsDetectionsToImagesInRadians) {
+  const Sequence sequence = Load();
+  ASSERT_EQ(sequence.detections.size(), 2u);
+  EXPECT_TRUE(sequence.detections[0].empty());
+  ASSERT_EQ(sequence.detections[1].size(), 2u);
+  const Detection& chair = sequence.detections[1][0];
+  EXPECT_EQ(chair.category, "chair");
+  EXPECT_NEAR(*chair.azimuth, 90 * kDegree, 1e-12);
+  EXPECT_NEAR(*chair.elevation, -45 * kDegree, 1e-12);
+  EXPECT_FALSE(chair.tilt);
+  EXPECT_FALSE(sequence.detections[1][1].azimuth);
+}
+
+TEST_F(SequenceTest, MatchesPosesWithinAMillisecond) {
+  const Sequence sequence = Load();
+  EXPECT_FALSE(sequence.T_odom_camera[0]);
+  ASSERT_TRUE(sequence.T_odom_camera[1]);
+  EXPECT_EQ(sequence.T_odom_camera[1]->translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(sequence.odometry.size(), 2u);
+}
+
+TEST_F(SequenceTest, NeedsNoOdometry) {
+  std::filesystem::remove(folder_ / "odometry.txt");
+  const Sequence sequence = Load();
+  EXPECT_TRUE(sequence.odometry.empty());
+  ASSERT_EQ(sequence.T_odom_camera.size(), 2u);
+  EXPECT_FALSE(sequence.T_odom_camera[1]);
+}
+
+TEST_F(SequenceTest, ViewpointColumnsAreOptional) {
+  folder_.Write("detections.csv", "timestamp,category,x,y,width,height,score\n0,chair,5,6,20,30,0.9\n");
+  EXPECT_FALSE(Load().detections[0][0].azimuth);
+}
+
+TEST_F(SequenceTest, ReportsMissingFolderAndFiles) {
+  ExpectInputError([&] { LoadSequence(folder_ / "nowhere", kCategories); }, {"nowhere", "does not exist"});
+  ExpectInputError([&] { LoadSequence(folder_ / "rgb.txt", kCategories); }, {"rgb.txt", "not a folder"});
+  for (const std::string file : {"detections.csv", "rgb.txt", "sequence.yaml"}) {
+    std::filesystem::remove(folder_ / file);
+    ExpectInputError([&] { Load(); }, {file, "cannot be opened"});
+  }
+}
+
+TEST_F(SequenceTest, ReportsMalformedYaml) {
+  ExpectErrorWith("sequence.yaml", "name: [tiny\nfps: 5\n", {".yaml:", "not valid YAML"});
+  ExpectErrorWith("sequence.yaml", "- name\n", {".yaml:1", "map"});
+  ExpectYamlError("fps: 5", "fps: fast", {".yaml:2", "'fps'", "'fast'"});
+  ExpectYamlError("fps: 5", "fps: .nan", {".yaml:2", "finite"});
+  ExpectYamlError("fps: 5", "fps: 5\nfps: 6", {".yaml:3", "twice"});
+  ExpectYamlError("fps: 5\n", "", {"'fps'", "missing"});
+}
+
+TEST_F(SequenceTest, ReportsUnknownKeysWithTheNearest) {
+  ExpectYamlError("fps: 5", "fsp: 5", {".yaml:2", "'fsp'", "'fps'"});
+  ExpectYamlError("width:", "widht:", {".yaml:5", "'widht'", "'width'"});
+}
+
+TEST_F(SequenceTest, ReportsImpossibleCameras) {
+  ExpectYamlError("fx: 60", "fx: 0", {".yaml:7", "camera.fx", "greater than 0"});
+  ExpectYamlError("width: 64", "width: -64", {".yaml:5", "camera.width"});
+  ExpectYamlError("width: 64", "width: 64.5", {".yaml:5", "camera.width", "whole"});
+  ExpectYamlError("[0.1, 0, 0, 0, 0]", "[0.1, 0]", {".yaml:11", "distortion", "2 values", "k1"});
+  ExpectYamlError("pinhole", "fisheye", {".yaml:4", "'fisheye'", "pinhole"});
+}
+
+TEST_F(SequenceTest, ReportsOtherBadSettings) {
+  ExpectYamlError("name: tiny", "name: ../tiny", {".yaml:1", "'../tiny'"});
+  ExpectYamlError("up: [0, -2, 0]", "up: [0, 0, 0]", {".yaml:12", "'up'"});
+  ExpectYamlError("up: [0, -2, 0]", "odometry_metric: maybe", {".yaml:12", "true or false"});
+}
+
+TEST_F(SequenceTest, ReportsBadImageLists) {
+  ExpectErrorWith("rgb.txt", "0.0 rgb/0.png\n0.0 rgb/1.png\n", {"rgb.txt:2", "line 1"});
+  ExpectErrorWith("rgb.txt", "0.2 rgb/0.png\n\n0.0 rgb/1.png\n", {"rgb.txt:3", "0.200000"});
+  ExpectErrorWith("rgb.txt", "0.0 rgb/9.png\n", {"rgb.txt:1", "9.png", "does not exist"});
+  ExpectErrorWith("rgb.txt", "zero rgb/0.png\n", {"rgb.txt:1", "'zero'"});
+  ExpectErrorWith("rgb.txt", "0.0\n", {"rgb.txt:1", "timestamp filename"});
+  ExpectErrorWith("rgb.txt", "# nothing\n", {"lists no image"});
+}
+
+TEST_F(SequenceTest, ReportsBadDetections) {
+  ExpectDetectionError("0.2,chiar,5,6,20,30,0.9,,,", {"csv:2", "'chiar'", "'chair'", "laptop"});
+  ExpectDetectionError("0.2,chair,nan,6,20,30,0.9,,,", {"csv:2", "column 'x'", "finite"});
+  ExpectDetectionError("0.2,chair,5,6,20,30,0.9,1e999,,", {"csv:2", "azimuth_deg"});
+  ExpectDetectionError("0.2,chair,5,6,0,30,0.9,,,", {"csv:2", "greater than 0"});
+  ExpectDetectionError("0.2,chair,70,6,20,30,0.9,,,", {"csv:2", "outside the 64 x 48 image"});
+  ExpectDetectionError("0.2,chair,5,6,20,30,1.1,,,", {"csv:2", "1.1", "0..1"});
+  ExpectDetectionError("0.1,chair,5,6,20,30,1,,,", {"csv:2", "0.100000", "rgb.txt"});
+  ExpectDetectionError("0.2,chair,5,6,20", {"csv:2", "5 fields", "10"});
+}
+
+TEST_F(SequenceTest, ReportsBadDetectionHeaders) {
+  ExpectErrorWith("detections.csv", "", {"has no header"});
+  ExpectErrorWith("detections.csv", "timestamp,category,x,y,width,height\n", {"csv:1", "'score'"});
+  ExpectErrorWith("detections.csv", "timestamp,category,x,y,width,height,score,azimut_deg\n",
+                  {"csv:1", "'azimut_deg'", "'azimuth_deg'"});
+}
+
+TEST_F(SequenceTest, ReportsBadOdometry) {
+  ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0 2\n", {"odometry.txt:1", "length 2"});
+  ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0\n", {"odometry.txt:1", "7 numbers"});
+  ExpectErrorWith("odometry.txt", "0 0 0 inf 0 0 0 1\n", {"odometry.txt:1", "finite"});
+  ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", {"odometry.txt:2", "line 1"});
+  ExpectErrorWith("odometry.txt", "7 0 0 0 0 0 0 1\n", {"odometry.txt:1", "1 ms"});
+  ExpectErrorWith("odometry.txt", "# nothing\n", {"has no pose"});
+}
+
+TEST(SequenceOnRealData, LoadsTheSharedSequences) {
+  ARMATURE_SHARED_DATA_OR_SKIP(folder, "sequences");
+  const Sequence office = LoadSequence(folder / "office_dev", kCategories);
+  EXPECT_EQ(office.images.size(), 80u);
+  EXPECT_TRUE(office.up);
+  const Sequence kitchen = LoadSequence(folder / "redkitchen_a", kCategories);
+  EXPECT_EQ(kitchen.images.size(), 250u);
+  EXPECT_TRUE(kitchen.T_odom_camera.back());
+}
+
+}  // namespace
+}  // namespace armature
