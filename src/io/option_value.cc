@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/option_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "io/errors.h"
+#include "io/nearest_name.h"
+#include "io/text.h"
+
+namespace armature {
+namespace {
+
+// Throws with both values: "association.max_angle_deg 95 > 90".
+void CheckRange(const OptionEntry& entry, double value, const std::string& where) {
+  const bool low = value < entry.min;
+  if (!low && value <= entry.max) return;
+  throw InputError(fmt::format("{}: {} {} {} {}; choose a value in {}", where, entry.key, value,
+                               low ? '<' : '>', low ? entry.min : entry.max, OptionDomain(entry)));
+}
+
+void CheckChoice(const OptionEntry& entry, const std::string& value, const std::string& where) {
+  const auto& choices = entry.choices;
+  if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return;
+  throw InputError(fmt::format("{}: {}", where, UnknownNameMessage("value of " + entry.key, value, choices)));
+}
+
+bool ParseBoolean(const std::string& text, const std::string& where) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  throw InputError(fmt::format("{}: {} is neither true nor false; write one of them", where, Quoted(text)));
+}
+
+bool IsPlainWord(const std::string& text) {
+  if (text.empty() || std::isalpha(static_cast<unsigned char>(text[0])) == 0) return false;
+  for (const char* reserved : {"null", "Null", "NULL"}) {
+    if (text == reserved) return false;
+  }
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
+  });
+}
+
+std::string YamlText(const std::string& text) {
+  if (IsPlainWord(text)) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    const auto byte = static_cast<unsigned char>(c);
+    quoted += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
+struct SetFromText {
+  const OptionEntry& entry;
+  const std::string& text;
+  const std::string where;  // with the key, for messages about the type
+  const std::string& place;
+
+  void operator()(double* field) const {
+    const double value = ParseNumber(text, where);
+    CheckRange(entry, value, place);
+    *field = value;
+  }
+  void operator()(int* field) const {
+    const int value = ParseInteger(text, where);
+    CheckRange(entry, value, place);
+    *field = value;
+  }
+  void operator()(bool* field) const { *field = ParseBoolean(text, where); }
+  void operator()(std::string* field) const {
+    CheckChoice(entry, text, place);
+    *field = text;
+  }
+};
+
+struct CheckValue {
+  const OptionEntry& entry;
+  const std::string& where;
+
+  void operator()(const double* field) const {
+    if (!std::isfinite(*field)) throw InputError(fmt::format("{}: {} is not finite", where, entry.key));
+    CheckRange(entry, *field, where);
+  }
+  void operator()(const int* field) const { CheckRange(entry, *field, where); }
+  void operator()(const bool*) const {}
+  void operator()(const std::string* field) const { CheckChoice(entry, *field, where); }
+};
+
+struct ValueText {
+  std::string operator()(const double* field) const { return fmt::format("{}", *field); }  // shortest exact
+  std::string operator()(const int* field) const { return fmt::format("{}", *field); }
+  std::string operator()(const bool* field) const { return *field ? "true" : "false"; }
+  std::string operator()(const std::string* field) const { return YamlText(*field); }
+};
+
+}  // namespace
+
+void SetOption(const OptionEntry& entry, const std::string& text, const std::string& where) {
+  std::visit(SetFromText{entry, text, fmt::format("{}: {}", where, entry.key), where}, entry.field);
+}
+
+void CheckOption(const OptionEntry& entry, const std::string& where) {
+  std::visit(CheckValue{entry, where}, entry.field);
+}
+
+std::string OptionText(const OptionEntry& entry) { return std::visit(ValueText{}, entry.field); }
+
+std::string OptionDomain(const OptionEntry& entry) {
+  if (std::holds_alternative<bool*>(entry.field)) return "true|false";
+  if (std::holds_alternative<std::string*>(entry.field)) {
+    return entry.choices.empty() ? "text" : fmt::format("{}", fmt::join(entry.choices, "|"));
+  }
+  const bool has_min = std::isfinite(entry.min);
+  const bool has_max = std::isfinite(entry.max);
+  if (has_min && has_max) return fmt::format("{}..{}", entry.min, entry.max);
+  if (has_min) return fmt::format(">= {}", entry.min);
+  if (has_max) return fmt::format("<= {}", entry.max);
+  return std::holds_alternative<int*>(entry.field) ? "integer" : "number";
+}
+
+}  // namespace armature
