@@ -9,6 +9,8 @@
 
 namespace armature {
 
+constexpr int kMaxModes = 16;  // of a category's shape
+
 // The edges of one object as columns, in the object frame (y up, front +z, origin at the centre of the bounding box),
 // metres. The paper's X = <L_1 ... L_m>, L_i = <M_i, D_i>; here |D| is the edge's length, so its ends are M -+ D/2.
 struct Wireframe {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature learn`: a category model from annotated CAD models or from one of our families.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace armature {
+
+struct LearnArguments {
+  std::filesystem::path spec;         // category specification
+  std::filesystem::path annotations;  // annotated models, or
+  std::string format = "edges";       // their format
+  std::string family;                 // table or laptop
+  int count = 2000;                   // models drawn from the family
+  std::uint64_t seed = 1;             // of the family
+  int modes = 0;                      // 0: as the specification says
+  int held_out = 0;                   // 0: no held-out check, otherwise every n-th model is left out
+  std::string source;  // what the models are and their licence, written to the model; empty: from above
+  std::filesystem::path out;  // model file to write; empty: none
+  bool json = false;
+};
+
+// Learns, prints the explained variances (and the held-out errors), writes the model. Returns the exit
+// status; throws InputError.
+int RunLearn(const LearnArguments& arguments);
+
+// Adds the sub-command; once it is parsed, its callback runs RunLearn and stores the exit status.
+void AddLearnCommand(CLI::App& app, int& exit_status);
+
+}  // namespace armature

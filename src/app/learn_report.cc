@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/learn_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "category/learn.h"
+#include "geometry/rotation.h"
+
+namespace armature {
+namespace {
+
+std::string VarianceText(const CategoryModel& model) {
+  const Eigen::VectorXd explained = 100 * ExplainedVariance(model);
+  std::string text =
+      fmt::format("{:>6} {:>14} {:>12} {:>12}\n", "mode", "deviation [m]", "variance [%]", "together [%]");
+  double together = 0;
+  for (int i = 0; i < model.modes(); ++i) {
+    together += explained[i];
+    text += fmt::format("{:>6} {:>14.4f} {:>12.2f} {:>12.2f}\n", i + 1, model.standard_deviations[i],
+                        explained[i], together);
+  }
+  return text;
+}
+
+std::string HeldOutText(const LearnReport& report) {
+  if (report.held_out.empty()) return "";
+  const HeldOutRow& first = report.held_out.front();
+  std::string text = fmt::format("\nHeld out: every {}-th plausible model ({}), learnt from the other {}.\n",
+                                 report.held_out_every, first.error.models, first.training_models);
+  text += fmt::format("{:>6} {:>14} {:>16}\n", "modes", "midpoint [m]", "direction [deg]");
+  for (const HeldOutRow& row : report.held_out) {
+    text += fmt::format("{:>6} {:>14.4f} {:>16.2f}\n", row.modes, row.error.midpoint,
+                        row.error.direction / kDegree);
+  }
+  return text + "Mean error of an edge over all edges and models held out, nearest shape of the model.\n";
+}
+
+}  // namespace
+
+std::string ReportText(const LearnReport& report) {
+  const CategoryModel& model = report.model;
+  std::string text = fmt::format(
+      "{}: learnt from {} plausible of {} models, {} edges, {} representative models\n\n", model.spec.name,
+      model.training_models, report.models_read, model.spec.edges(), model.dictionary.size());
+  text += VarianceText(model) + HeldOutText(report);
+  if (!report.out.empty()) text += fmt::format("\nCategory model: {}\n", report.out);
+  return text;
+}
+
+std::string ReportJson(const LearnReport& report) {
+  const CategoryModel& model = report.model;
+  const Eigen::VectorXd explained = ExplainedVariance(model);
+  nlohmann::ordered_json json;
+  json["category"] = model.spec.name;
+  json["source"] = model.source;
+  json["models_read"] = report.models_read;
+  json["training_models"] = model.training_models;
+  json["edges"] = model.spec.edges();
+  json["explained_variance"] = std::vector<double>(explained.begin(), explained.end());
+  json["standard_deviations_m"] =
+      std::vector<double>(model.standard_deviations.begin(), model.standard_deviations.end());
+  json["dictionary_size"] = model.dictionary.size();
+  if (report.held_out_every != 0) json["held_out_every"] = report.held_out_every;
+  for (const HeldOutRow& row : report.held_out) {
+    json["held_out"].push_back({{"modes", row.modes},
+                                {"models", row.error.models},
+                                {"midpoint_m", row.error.midpoint},
+                                {"direction_deg", row.error.direction / kDegree}});
+  }
+  if (!report.out.empty()) json["out"] = report.out;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace armature
