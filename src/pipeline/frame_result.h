@@ -32,7 +32,7 @@ struct FrameResult {
   std::vector<Segment> segments;       // undistorted pixels
   std::vector<ObjectObservation> observations;  // in the order of the detections
   Eigen::Vector3d up_camera{0, -1, 0};          // unit, camera frame
-  double up_confidence = 0;                     // 0: assumed level camera .. 1: given by the sequence
+  double up_sigma = 1;                          // radians, standard deviation; 0: given by the sequence
   StageTimes times;
 };
 

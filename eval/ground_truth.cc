@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/ground_truth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/csv.h"
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+long long Microseconds(double timestamp) { return std::llround(timestamp * 1e6); }
+
+std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
+  const CsvTable table(file, {"id", "category", "instance", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "size_x",
+                              "size_y", "size_z"});
+  std::vector<TrueObject> objects;
+  for (const CsvRow& row : table.rows()) {
+    TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
+    const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
+    if (std::abs(q.norm() - 1) > 1e-3) throw InputError(row.At("the quaternion has not unit length; normalise it"));
+    object.T_world_object.linear() = q.normalized().toRotationMatrix();
+    object.T_world_object.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
+    object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
+    objects.push_back(std::move(object));
+  }
+  return objects;
+}
+
+}  // namespace
+
+GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
+  GroundTruth truth;
+  truth.T_world_camera = ReadTumTrajectory(sequence / "groundtruth.txt");
+  truth.objects = ReadObjects(sequence / "objects_gt.csv");
+  const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});
+  for (const CsvRow& row : table.rows()) {
+    const auto object = std::find_if(truth.objects.begin(), truth.objects.end(),
+                                     [&](const TrueObject& o) { return o.id == row.Text("id"); });
+    if (row.IsEmpty("id")) continue;  // a false alarm
+    if (object == truth.objects.end()) {
+      throw InputError(row.At(fmt::format("no object '{}' in objects_gt.csv; add it or leave the id empty",
+                                          row.Text("id"))));
+    }
+    truth.detections[{Microseconds(row.Number("timestamp")), row.Integer("index")}] =
+        static_cast<size_t>(object - truth.objects.begin());
+  }
+  return truth;
+}
+
+const TrueObject* GroundTruth::ObjectOf(double timestamp, int index) const {
+  const long long at = Microseconds(timestamp);
+  const long long tolerance = Microseconds(kStampTolerance);
+  for (auto it = detections.lower_bound({at - tolerance, 0});
+       it != detections.end() && it->first.first <= at + tolerance; ++it) {
+    if (it->first.second == index) return &objects[it->second];
+  }
+  return nullptr;
+}
+
+std::optional<Eigen::Isometry3d> GroundTruth::TrueCameraObject(double timestamp, int index) const {
+  const TrueObject* object = ObjectOf(timestamp, index);
+  const std::optional<size_t> camera = IndexOfStamp(T_world_camera, timestamp);
+  if (!object || !camera) return std::nullopt;
+  return T_world_camera[*camera].pose.inverse() * object->T_world_object;
+}
+
+}  // namespace armature

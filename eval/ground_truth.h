@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The true poses of cameras and objects of a sequence. For evaluation only: the pipeline never sees them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/trajectory.h"
+
+namespace armature {
+
+struct TrueObject {
+  std::string id;
+  std::string category;
+  std::string instance;  // "source:model", empty where the CAD model is not known
+  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
+  Eigen::Vector3d size{0, 0, 0};                                     // metres, along the object's axes
+};
+
+struct GroundTruth {
+  std::vector<TimedPose> T_world_camera;
+  std::vector<TrueObject> objects;
+  // Which object a detection is of: (timestamp in whole microseconds, index) -> position in `objects`.
+  std::map<std::pair<long long, int>, size_t> detections;
+
+  // The true T_camera_object of a detection, none when it is of no true object (a false alarm).
+  std::optional<Eigen::Isometry3d> TrueCameraObject(double timestamp, int index) const;
+  const TrueObject* ObjectOf(double timestamp, int index) const;
+};
+
+// groundtruth.txt, objects_gt.csv and detections_gt.csv of a sequence folder. Throws InputError.
+GroundTruth LoadGroundTruth(const std::filesystem::path& sequence);
+
+}  // namespace armature

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/observation_metrics.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+
+namespace armature {
+namespace {
+
+double AzimuthOf(const Eigen::Isometry3d& T_camera_object) {
+  return ViewpointFromRotation(T_camera_object.linear(), T_camera_object.translation()).azimuth;
+}
+
+std::vector<double> Column(const std::vector<ObservationError>& errors, double ObservationError::*field) {
+  std::vector<double> values;
+  for (const ObservationError& error : errors) values.push_back(error.*field);
+  return values;
+}
+
+}  // namespace
+
+ObservationError CompareObservation(const std::string& category, int symmetry_order, bool ok,
+                                    const Eigen::Isometry3d& T_camera_object,
+                                    const Eigen::Isometry3d& T_camera_object_true) {
+  ObservationError error;
+  error.category = category;
+  error.ok = ok;
+  error.azimuth_deg =
+      std::abs(AzimuthDifference(AzimuthOf(T_camera_object), AzimuthOf(T_camera_object_true), symmetry_order)) /
+      kDegree;
+  error.translation_percent = 100 * (T_camera_object.translation() - T_camera_object_true.translation()).norm() /
+                              T_camera_object_true.translation().norm();
+  const double cosine = T_camera_object.linear().col(1).dot(T_camera_object_true.linear().col(1));
+  error.elevation_axis_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+  return error;
+}
+
+double Median(std::vector<double> values) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  const size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+ObservationSummary Summarise(const std::vector<ObservationError>& errors) {
+  ObservationSummary summary;
+  summary.count = static_cast<int>(errors.size());
+  if (errors.empty()) return summary;
+  const auto share = [&](auto holds) {
+    return static_cast<double>(std::count_if(errors.begin(), errors.end(), holds)) / summary.count;
+  };
+  summary.ok_share = share([](const ObservationError& e) { return e.ok; });
+  summary.share_within_15_deg = share([](const ObservationError& e) { return e.azimuth_deg <= 15; });
+  summary.median_azimuth_deg = Median(Column(errors, &ObservationError::azimuth_deg));
+  summary.median_translation_percent = Median(Column(errors, &ObservationError::translation_percent));
+  summary.median_axis_deg = Median(Column(errors, &ObservationError::elevation_axis_deg));
+  return summary;
+}
+
+}  // namespace armature

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/box_constraints.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace armature {
+namespace {
+
+// Ends of all edges, rotated: 3 x 2m.
+Eigen::Matrix3Xd RotatedEnds(const Wireframe& wireframe, const Eigen::Matrix3d& R) {
+  const Eigen::Index m = wireframe.edges();
+  Eigen::Matrix3Xd ends(3, 2 * m);
+  ends.leftCols(m).noalias() = R * (wireframe.midpoints - 0.5 * wireframe.directions);
+  ends.rightCols(m).noalias() = R * (wireframe.midpoints + 0.5 * wireframe.directions);
+  return ends;
+}
+
+}  // namespace
+
+BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance) {
+  const double dx = cut_tolerance * box.width, dy = cut_tolerance * box.height;
+  const auto side = [](bool cut) { return cut ? BoxSide::kOpen : BoxSide::kSeen; };
+  return {side(box.left() < dx), side(box.top() < dy), side(box.right() > camera.width - 1 - dx),
+          side(box.bottom() > camera.height - 1 - dy)};
+}
+
+std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options) {
+  return {options.sigma * box.width + options.sigma_pixels, options.sigma * box.height + options.sigma_pixels};
+}
+
+Box ClipBox(const Box& box, const BoxSides& sides, const Camera& camera) {
+  const double left = sides[0] == BoxSide::kOpen ? box.left() : 0;
+  const double top = sides[1] == BoxSide::kOpen ? box.top() : 0;
+  const double right = sides[2] == BoxSide::kOpen ? box.right() : camera.width - 1;
+  const double bottom = sides[3] == BoxSide::kOpen ? box.bottom() : camera.height - 1;
+  return {left, top, right - left, bottom - top};
+}
+
+std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected) {
+  std::array<ExtremePoint, 4> extremes{};
+  extremes[0].pixel = extremes[1].pixel = 1e9;
+  extremes[2].pixel = extremes[3].pixel = -1e9;
+  const auto reach = [&](int edge, double s, const Eigen::Vector2d& p) {
+    if (p.x() < extremes[0].pixel) extremes[0] = {edge, s, p.x()};
+    if (p.y() < extremes[1].pixel) extremes[1] = {edge, s, p.y()};
+    if (p.x() > extremes[2].pixel) extremes[2] = {edge, s, p.x()};
+    if (p.y() > extremes[3].pixel) extremes[3] = {edge, s, p.y()};
+  };
+  for (size_t i = 0; i < projected.edges.size(); ++i) {
+    const ProjectedEdge& edge = projected.edges[i];
+    if (edge.length <= 0) continue;
+    reach(static_cast<int>(i), edge.s1, edge.line.p1);
+    reach(static_cast<int>(i), edge.s2, edge.line.p2);
+  }
+  return extremes;
+}
+
+Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R) {
+  const Camera& camera = *view.camera;
+  const Box& box = view.detection.box;
+  const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
+  const Eigen::Vector3d extent = ends.rowwise().maxCoeff() - ends.rowwise().minCoeff();
+  const double Tz = 0.5 * (extent.x() * camera.fx / box.width + extent.y() * camera.fy / box.height);
+  const Eigen::Vector2d center = box.center();
+  return {(center.x() - camera.cx) * Tz / camera.fx, (center.y() - camera.cy) * Tz / camera.fy, Tz};
+}
+
+Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
+                                   const Eigen::Matrix3d& R) {
+  const Camera& camera = *view.camera;
+  const Box& box = view.detection.box;
+  const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
+  const double side_x[2] = {(box.left() - camera.cx) / camera.fx, (box.right() - camera.cx) / camera.fx};
+  const double side_y[2] = {(box.top() - camera.cy) / camera.fy, (box.bottom() - camera.cy) / camera.fy};
+  Eigen::Vector3d T = PrintedTranslation(view, wireframe, R);
+  const double start_depth = T.z();
+  for (int iteration = 0; iteration < 3; ++iteration) {
+    Eigen::Matrix<double, 5, 3> A;
+    Eigen::Matrix<double, 5, 1> b;
+    const Eigen::ArrayXd z = (ends.row(2).array() + T.z()).max(0.1);
+    const Eigen::ArrayXd u = (ends.row(0).array() + T.x()).transpose() / z;
+    const Eigen::ArrayXd v = (ends.row(1).array() + T.y()).transpose() / z;
+    for (int side = 0; side < 4; ++side) {
+      const bool horizontal = side % 2 == 0;  // left and right constrain x
+      Eigen::Index corner = 0;
+      const Eigen::ArrayXd& w = horizontal ? u : v;
+      side < 2 ? w.minCoeff(&corner) : w.maxCoeff(&corner);
+      const double at = horizontal ? side_x[side / 2] : side_y[side / 2];
+      // An open side still says roughly where the object is: a tenth of the weight keeps the system regular.
+      const double weight = sides[static_cast<size_t>(side)] == BoxSide::kSeen ? 1.0 : 0.1;
+      A.row(side) << (horizontal ? weight : 0), (horizontal ? 0 : weight), -weight * at;
+      b(side) = weight * (at * ends(2, corner) - ends(horizontal ? 0 : 1, corner));
+    }
+    const double prior = 1e-3;
+    A.row(4) << 0, 0, prior;
+    b(4) = prior * start_depth;
+    T = (A.transpose() * A).ldlt().solve(A.transpose() * b);
+    if (!(T.z() > 0.2)) T = PrintedTranslation(view, wireframe, R);
+  }
+  return T;
+}
+
+}  // namespace armature

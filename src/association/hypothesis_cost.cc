@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/hypothesis_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+
+namespace armature {
+namespace {
+
+double GemanMcClure(double r, double scale) { return r * r / (1 + r * r / (scale * scale)); }
+
+double BoxCost(const Box& box, const BoxSides& sides, const ProjectedWireframe& projected,
+               const BoxOptions& box_options, const CostOptions& options) {
+  const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  const std::array<double, 4> at = {box.left(), box.top(), box.right(), box.bottom()};
+  double cost = 0;
+  for (size_t side = 0; side < 4; ++side) {
+    const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
+    // Positive where the projection falls short of the side.
+    const double short_by = (side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) / sigma;
+    if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, options.box_loss_scale);
+  }
+  return cost;
+}
+
+double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object, const CostOptions& options) {
+  if (!view.detection.azimuth) return 0;
+  const Viewpoint viewpoint = ViewpointFromRotation(T_camera_object.linear(), T_camera_object.translation());
+  const double off = AzimuthDifference(viewpoint.azimuth, *view.detection.azimuth, view.model->spec.symmetry_order) /
+                     (options.azimuth_sigma_deg * kDegree);
+  return -std::log((1 - options.azimuth_outliers) * std::exp(-0.5 * off * off) + options.azimuth_outliers * 0.1);
+}
+
+double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
+  if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return 0;
+  const Wireframe wireframe = WireframeFromCoefficients(*view.model, estimate.coefficients);
+  const Eigen::RowVector3d up = view.up_camera->transpose() * estimate.T_camera_object.linear();
+  const double lowest =
+      (up * wireframe.midpoints - (up * wireframe.directions).cwiseAbs() / 2).minCoeff() +
+      view.up_camera->dot(estimate.T_camera_object.translation());
+  return GemanMcClure((lowest + view.floor->camera_height) / view.floor->sigma, 3);
+}
+
+}  // namespace
+
+double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
+                 const ProjectedWireframe& projected, const BoxOptions& box_options, const CostOptions& options) {
+  const int opened = static_cast<int>(sides[3] == BoxSide::kOpen && view.sides[3] == BoxSide::kSeen);
+  return options.box_weight * BoxCost(view.detection.box, sides, projected, box_options, options) +
+         options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
+         options.shape_weight * estimate.coefficients.squaredNorm() +
+         options.floor_weight * FloorCost(view, estimate) + options.open_side_cost * opened;
+}
+
+double LineCost(const ObjectView& view, const ProjectedWireframe& projected, double covered_length,
+                const CostOptions& options) {
+  const double visible = projected.VisibleLength();
+  if (visible <= 0) return options.coverage_weight;
+  const double diagonal = std::hypot(view.detection.box.width, view.detection.box.height);
+  return options.coverage_weight * (1 - covered_length / visible) - options.length_weight * covered_length / diagonal;
+}
+
+}  // namespace armature

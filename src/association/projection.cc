@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/projection.h"
+
+#include <algorithm>
+#include <array>
+
+namespace armature {
+namespace {
+
+constexpr double kNear = 0.05;         // metres
+constexpr double kBehindMargin = 1.02; // a point is hidden when it is 2 % farther than the face
+constexpr std::array<double, 4> kSamples = {0.125, 0.375, 0.625, 0.875};  // along an edge, for visibility
+
+// Liang-Barsky against the box, as an interval [enter, leave] of the parameter along a -> b; false when outside.
+bool ClipInterval(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& enter, double& leave) {
+  const Eigen::Vector2d d = b - a;
+  const double step[4] = {-d.x(), d.x(), -d.y(), d.y()};
+  const double room[4] = {a.x() - box.left(), box.right() - a.x(), a.y() - box.top(), box.bottom() - a.y()};
+  enter = 0;
+  leave = 1;
+  for (int side = 0; side < 4; ++side) {
+    if (step[side] < 0) {
+      enter = std::max(enter, room[side] / step[side]);
+    } else if (step[side] > 0) {
+      leave = std::min(leave, room[side] / step[side]);
+    } else if (room[side] < 0) {
+      return false;
+    }
+  }
+  return enter < leave;
+}
+
+ProjectedEdge ProjectEdge(const Camera& camera, const Eigen::Vector3d& end1, const Eigen::Vector3d& end2,
+                          const Box& clip) {
+  ProjectedEdge edge;
+  double s1 = -0.5, s2 = 0.5;
+  Eigen::Vector3d P1 = end1, P2 = end2;
+  if (P1.z() < kNear && P2.z() < kNear) return edge;
+  if (P1.z() < kNear || P2.z() < kNear) {
+    const double s = (kNear - end1.z()) / (end2.z() - end1.z());
+    (P1.z() < kNear ? P1 : P2) = end1 + s * (end2 - end1);
+    (end1.z() < kNear ? s1 : s2) = s - 0.5;
+  }
+  const Eigen::Vector2d a = camera.Project(P1), b = camera.Project(P2);
+  double enter = 0, leave = 1;
+  if (!ClipInterval(a, b, clip, enter, leave)) return edge;
+  const double q1 = 1 / P1.z(), q2 = 1 / P2.z();
+  edge.line = {a + enter * (b - a), a + leave * (b - a)};
+  edge.inverse_z1 = q1 + enter * (q2 - q1);
+  edge.inverse_z2 = q1 + leave * (q2 - q1);
+  // The image parameter t and the edge's s are related by s = s1 + (s2 - s1) t q2 / (q1 + t (q2 - q1)).
+  edge.s1 = s1 + (s2 - s1) * enter * q2 / edge.inverse_z1;
+  edge.s2 = s1 + (s2 - s1) * leave * q2 / edge.inverse_z2;
+  const Eigen::Vector2d d = edge.line.p2 - edge.line.p1;
+  edge.length = d.norm();
+  if (edge.length > 1e-9) edge.direction = d / edge.length;
+  return edge;
+}
+
+bool HasEdge(const Face& face, int edge) {
+  return std::count_if(face.corners.begin(), face.corners.end(), [&](const EdgeEnd& c) { return c.edge == edge; }) > 0;
+}
+
+double VisibleShare(const ProjectedEdge& edge, int index, const CategorySpec& spec, const std::vector<ImageFace>& own,
+                    const std::vector<ImageFace>& occluders) {
+  int seen = 0;
+  for (const double t : kSamples) {
+    const Eigen::Vector2d pixel = edge.line.p1 + t * (edge.line.p2 - edge.line.p1);
+    const double inverse_z = edge.inverse_z1 + t * (edge.inverse_z2 - edge.inverse_z1);
+    bool hidden = false;
+    for (size_t f = 0; f < own.size() && !hidden; ++f) {
+      hidden = !HasEdge(spec.faces[f], index) && own[f].Hides(pixel, inverse_z);
+    }
+    for (size_t f = 0; f < occluders.size() && !hidden; ++f) hidden = occluders[f].Hides(pixel, inverse_z);
+    seen += hidden ? 0 : 1;
+  }
+  return seen / static_cast<double>(kSamples.size());
+}
+
+}  // namespace
+
+bool ImageFace::Hides(const Eigen::Vector2d& pixel, double inverse_z) const {
+  if (corners.size() < 3) return false;
+  if (inverse_depth.dot(pixel.homogeneous()) < kBehindMargin * inverse_z) return false;
+  // Even-odd rule: count the sides that a ray to the right crosses.
+  bool inside = false;
+  for (size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
+    const Eigen::Vector2d &a = corners[i], &b = corners[j];
+    if ((a.y() > pixel.y()) == (b.y() > pixel.y())) continue;
+    if (pixel.x() < a.x() + (pixel.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
+
+double ProjectedWireframe::VisibleLength() const {
+  double sum = 0;
+  for (const ProjectedEdge& edge : edges) sum += edge.length * edge.visible_share;
+  return sum;
+}
+
+ImageFace ProjectFace(const Camera& camera, const Eigen::Matrix3Xd& corners_camera) {
+  ImageFace face;
+  const Eigen::Index n = corners_camera.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector3d a = corners_camera.col(i), b = corners_camera.col((i + 1) % n);
+    if (a.z() >= kNear) face.corners.push_back(camera.Project(a));
+    if ((a.z() >= kNear) != (b.z() >= kNear)) {
+      face.corners.push_back(camera.Project(a + (kNear - a.z()) / (b.z() - a.z()) * (b - a)));
+    }
+  }
+  // Plane n . P = d, P = z * ray: 1/z = n . ray / d, and the ray is affine in the pixel.
+  const Eigen::Vector3d normal =
+      (corners_camera.col(1) - corners_camera.col(0)).cross(corners_camera.col(2) - corners_camera.col(0));
+  const double d = normal.dot(corners_camera.col(0));
+  if (std::abs(d) < 1e-9 * normal.norm()) return {};  // seen edge-on: hides nothing
+  const Eigen::Vector3d m = normal / d;
+  face.inverse_depth = {m.x() / camera.fx, m.y() / camera.fy,
+                        m.z() - m.x() * camera.cx / camera.fx - m.y() * camera.cy / camera.fy};
+  return face;
+}
+
+std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                                    const Eigen::Isometry3d& T_camera_object) {
+  std::vector<ImageFace> faces;
+  for (const Face& face : spec.faces) {
+    Eigen::Matrix3Xd corners(3, static_cast<Eigen::Index>(face.corners.size()));
+    for (Eigen::Index i = 0; i < corners.cols(); ++i) {
+      const EdgeEnd& corner = face.corners[static_cast<size_t>(i)];
+      corners.col(i) = T_camera_object * wireframe.End(corner.edge, corner.end);
+    }
+    faces.push_back(ProjectFace(camera, corners));
+  }
+  return faces;
+}
+
+void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                      const Eigen::Isometry3d& T_camera_object, const Box& clip,
+                      const std::vector<ImageFace>& occluders, ProjectedWireframe& out) {
+  out.edges.clear();
+  out.nearest_z = 1e9;
+  for (int i = 0; i < wireframe.edges(); ++i) {
+    const Eigen::Vector3d end1 = T_camera_object * wireframe.End(i, 0), end2 = T_camera_object * wireframe.End(i, 1);
+    out.nearest_z = std::min({out.nearest_z, end1.z(), end2.z()});
+    out.edges.push_back(ProjectEdge(camera, end1, end2, clip));
+  }
+  out.faces = ProjectFaces(camera, spec, wireframe, T_camera_object);
+  for (int i = 0; i < wireframe.edges(); ++i) {
+    ProjectedEdge& edge = out.edges[static_cast<size_t>(i)];
+    if (edge.length > 0) edge.visible_share = VisibleShare(edge, i, spec, out.faces, occluders);
+  }
+}
+
+}  // namespace armature

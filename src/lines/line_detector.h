@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Line segment detectors, chosen by name. One pass over an image serves all of its objects.
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/camera.h"
+#include "geometry/segment.h"
+
+namespace armature {
+
+struct LineOptions {
+  std::string detector = "edgedrawing";  // one of LineDetectorNames()
+  bool published = false;    // the detector's published parameters instead of those tuned for recall
+  double min_length = 10;    // pixels, shorter segments are dropped
+  bool boxes_only = false;   // look only inside the grown boxes of the detections, not at the whole image
+  double box_margin = 0.06;  // a box is grown by this share of its larger side, each side
+};
+
+// A detector of straight image edges. Not thread-safe: one a thread.
+class LineDetector {
+ public:
+  virtual ~LineDetector() = default;
+  // `gray`: 8 bit, one channel. Ends in pixels of that image, in no particular order, (0,0) the centre of its first pixel.
+  virtual std::vector<Segment> Detect(const cv::Mat& gray) = 0;
+};
+
+// "edgedrawing", "edlines", "fld", "lsd"
+const std::vector<std::string>& LineDetectorNames();
+
+// Aborts on an unknown name: names are checked where options are read.
+std::unique_ptr<LineDetector> MakeLineDetector(const LineOptions& options);
+
+// Detects in the whole image, or in the bounding rectangles of overlapping grown boxes, drops short segments and takes
+// the lens distortion out of the ends. Result: undistorted pixels, longest first.
+std::vector<Segment> DetectSegments(LineDetector& detector, const cv::Mat& gray, const Camera& camera,
+                                    const std::vector<Box>& boxes, const LineOptions& options);
+
+}  // namespace armature

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/frame_pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/rotation.h"
+#include "lines/selection.h"
+#include "pipeline/object_estimator.h"
+#include "pipeline/stage_clock.h"
+
+namespace armature {
+namespace {
+
+// The box around the undistorted sides' middles.
+Box UndistortBox(const Camera& camera, const Box& box) {
+  if (!camera.IsDistorted()) return box;
+  const Eigen::Vector2d c = box.center();
+  const double left = UndistortPixel(camera, {box.left(), c.y()}).x();
+  const double right = UndistortPixel(camera, {box.right(), c.y()}).x();
+  const double top = UndistortPixel(camera, {c.x(), box.top()}).y();
+  const double bottom = UndistortPixel(camera, {c.x(), box.bottom()}).y();
+  return {left, top, right - left, bottom - top};
+}
+
+std::vector<Box> BoxesOf(const std::vector<Detection>& detections) {
+  std::vector<Box> boxes;
+  for (const Detection& detection : detections) boxes.push_back(detection.box);
+  return boxes;
+}
+
+}  // namespace
+
+FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
+                             std::optional<Eigen::Vector3d> up_odom)
+    : options_(std::move(options)),
+      camera_(camera),
+      categories_(std::move(categories)),
+      up_odom_(up_odom),
+      detector_(MakeLineDetector(options_.lines)),
+      up_estimator_(options_.up) {}
+
+FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
+  FrameResult result;
+  result.timestamp = input.timestamp;
+  {  // one pass over the image for all objects
+    const StageClock clock(result.times.lines);
+    result.segments = DetectSegments(*detector_, gray, camera_, BoxesOf(input.detections), options_.lines);
+  }
+  UpEstimate up;
+  {
+    const StageClock clock(result.times.mapping);
+    up = UpOf(input, result.segments);
+    result.up_camera = up.up_camera;
+    result.up_sigma = up.sigma;
+  }
+  result.observations.resize(input.detections.size());
+  std::vector<ImageFace> occluders;
+  for (const size_t i : LargestFirst(input.detections)) {
+    EstimatorTimes times;
+    ObjectView view = ViewOf(input.detections[i], result.segments, up);
+    view.occluders = occluders;
+    const ObjectEstimation estimation = EstimateObject(view, options_.association, options_.resection, times);
+    result.observations[i] = {input.detections[i], estimation.initial.T_camera_object, estimation.initial.coefficients,
+                              estimation.estimate};
+    result.times.association += times.association_ms;
+    result.times.optimization += times.optimization_ms;
+    if (options_.association.occlusion && estimation.estimate.status == EstimateStatus::kOk) {
+      const Wireframe wireframe = WireframeFromCoefficients(*view.model, estimation.estimate.coefficients);
+      for (ImageFace& face : ProjectFaces(camera_, view.model->spec, wireframe, estimation.estimate.T_camera_object)) {
+        occluders.push_back(std::move(face));
+      }
+    }
+  }
+  return result;
+}
+
+UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {
+  if (options_.up.source == "level") return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
+  if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
+    return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
+  }
+  return up_estimator_.Update(camera_, segments, input.detections, input.T_odom_camera);
+}
+
+ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<Segment>& segments,
+                                 const UpEstimate& up) const {
+  ObjectView view;
+  view.camera = &camera_;
+  view.model = &ModelOf(detection);
+  view.detection = detection;
+  view.detection.box = UndistortBox(camera_, detection.box);
+  const Box& box = view.detection.box;
+  view.sides = SidesAtImageBorder(box, camera_, options_.association.box.cut_tolerance);
+  const double margin = options_.lines.box_margin * std::max(box.width, box.height);
+  view.segments =
+      SegmentsInBox(segments, box.Grown(margin), options_.lines.min_length, options_.association.max_segments);
+  view.up_camera = up.up_camera;
+  return view;
+}
+
+const CategoryModel& FramePipeline::ModelOf(const Detection& detection) const {
+  const auto found = std::find_if(categories_.begin(), categories_.end(), [&](const CategoryModel& model) {
+    return model.spec.name == detection.category;
+  });
+  if (found == categories_.end()) std::abort();  // checked where detections are read
+  return *found;
+}
+
+// Large furniture hides small furniture more often than the other way round.
+std::vector<size_t> FramePipeline::LargestFirst(const std::vector<Detection>& detections) const {
+  std::vector<size_t> order(detections.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto volume = [&](size_t i) {
+    return BoundingBoxSize(WireframeFromVector(ModelOf(detections[i]).mean)).prod();
+  };
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return volume(a) > volume(b); });
+  return order;
+}
+
+}  // namespace armature

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The front end: one function a frame.
+#pragma once
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "category/category_model.h"
+#include "geometry/camera.h"
+#include "lines/line_detector.h"
+#include "pipeline/frame_result.h"
+#include "pipeline/options.h"
+#include "pipeline/up_direction.h"
+
+namespace armature {
+
+// What is known of a frame besides its image.
+struct FrameInput {
+  double timestamp = 0;
+  std::vector<Detection> detections;                // boxes in pixels of the image as it is, distorted
+  std::optional<Eigen::Isometry3d> T_odom_camera;   // odometry, any scale
+};
+
+class FramePipeline {
+ public:
+  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one.
+  FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
+                std::optional<Eigen::Vector3d> up_odom);
+
+  // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the categories.
+  FrameResult Process(const cv::Mat& gray, const FrameInput& input);
+
+  const std::vector<CategoryModel>& categories() const { return categories_; }
+
+ private:
+  UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
+  ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments, const UpEstimate& up) const;
+  const CategoryModel& ModelOf(const Detection& detection) const;
+  std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
+
+  Options options_;
+  Camera camera_;
+  std::vector<CategoryModel> categories_;
+  std::optional<Eigen::Vector3d> up_odom_;
+  std::unique_ptr<LineDetector> detector_;
+  UpEstimator up_estimator_;
+};
+
+}  // namespace armature

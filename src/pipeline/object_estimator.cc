@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/object_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+#include "pipeline/stage_clock.h"
+
+namespace armature {
+namespace {
+
+double Diagonal(const Box& box) { return std::hypot(box.width, box.height); }
+
+// The gate shrinks geometrically from the search's to the final one.
+MatchGate GateOfRound(const ObjectView& view, const AssociationOptions& options, double progress) {
+  const double coarse =
+      std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
+  const double ratio = options.final_gate_pixels / coarse;
+  const double angle_ratio = options.final_angle_deg / options.search_angle_deg;
+  return {coarse * std::pow(ratio, progress), options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
+}
+
+void Project(const ObjectView& view, const PoseAndShape& at, const BoxSides& sides, ProjectedWireframe& out) {
+  ProjectWireframe(*view.camera, view.model->spec, WireframeFromCoefficients(*view.model, at.coefficients),
+                   at.T_camera_object, ClipBox(view.detection.box, sides, *view.camera), view.occluders, out);
+}
+
+// A candidate on its way: from hypothesis to refined estimate.
+struct Candidate {
+  Hypothesis hypothesis;
+  PoseAndShape estimate;
+  double cost = 0;
+  std::vector<EdgeMatch> matches;
+  int iterations = 0;
+  bool finite = true;
+};
+
+double CoverageCost(const ObjectView& view, const Hypothesis& hypothesis, const PoseAndShape& at,
+                    const MatchGate& gate, const AssociationOptions& options, ProjectedWireframe& scratch) {
+  Project(view, at, hypothesis.sides, scratch);
+  return PriorCost(view, at, hypothesis.sides, scratch, options.box, options.coverage) +
+         LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
+}
+
+double PrintedCost(const ObjectView& view, const PoseAndShape& at, const AssociationOptions& options,
+                   ProjectedWireframe& scratch) {
+  const Box everywhere{-1e6, -1e6, 2e6, 2e6};
+  ProjectWireframe(*view.camera, view.model->spec, WireframeFromCoefficients(*view.model, at.coefficients),
+                   at.T_camera_object, everywhere, {}, scratch);
+  return AssociateAsPrinted(scratch, view.segments, options.printed).cost;
+}
+
+// Algorithm 1: the cost of every hypothesis, the best first.
+std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& options) {
+  const MatchGate gate = GateOfRound(view, options, 0);
+  ProjectedWireframe scratch;
+  std::vector<Candidate> candidates;
+  for (Hypothesis& hypothesis : MakeHypotheses(view, options.hypotheses)) {
+    Candidate candidate;
+    candidate.cost = options.cost == "printed" ? PrintedCost(view, hypothesis.start, options, scratch)
+                                               : CoverageCost(view, hypothesis, hypothesis.start, gate, options, scratch);
+    candidate.estimate = hypothesis.start;
+    candidate.hypothesis = std::move(hypothesis);
+    candidates.push_back(std::move(candidate));
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  return candidates;
+}
+
+bool AreAlike(const Candidate& a, const Candidate& b, const AssociationOptions& options, int symmetry_order) {
+  const double za = a.estimate.T_camera_object.translation().z(), zb = b.estimate.T_camera_object.translation().z();
+  return std::abs(AzimuthDifference(a.hypothesis.azimuth, b.hypothesis.azimuth, symmetry_order)) <
+             options.diverse_azimuth_deg * kDegree &&
+         std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
+}
+
+// The best few that are not alike.
+std::vector<Candidate> Diverse(std::vector<Candidate> ranked, const AssociationOptions& options, int symmetry_order) {
+  std::vector<Candidate> kept;
+  for (Candidate& candidate : ranked) {
+    if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
+    const bool alike = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
+      return AreAlike(candidate, other, options, symmetry_order);
+    });
+    if (!alike) kept.push_back(std::move(candidate));
+  }
+  return kept;
+}
+
+std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected, const MatchGate& gate,
+                                 const AssociationOptions& options) {
+  if (options.cost == "printed") return AssociateAsPrinted(projected, view.segments, options.printed).matches;
+  return MatchSegments(projected, view.segments, gate).matches;
+}
+
+// Association and resection in turn, with a gate that shrinks from round to round.
+void Refine(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
+            Candidate& candidate, EstimatorTimes& times) {
+  ProjectedWireframe projected;
+  const BoxSides& sides = candidate.hypothesis.sides;
+  for (int round = 0; round < options.rounds && candidate.finite; ++round) {
+    const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
+    {
+      const StageClock clock(times.association_ms);
+      Project(view, candidate.estimate, sides, projected);
+      candidate.matches = Associate(view, projected, GateOfRound(view, options, progress), options);
+    }
+    const StageClock clock(times.optimization_ms);
+    const ResectionResult result =
+        Resect(view, sides, candidate.matches, projected, candidate.estimate, options.box, resection);
+    candidate.iterations += result.iterations;
+    candidate.finite = result.finite;
+    if (result.finite) candidate.estimate = result.estimate;
+  }
+  const StageClock clock(times.association_ms);
+  Project(view, candidate.estimate, sides, projected);
+  const MatchGate gate = GateOfRound(view, options, 1);
+  Matching matching = MatchSegments(projected, view.segments, gate);
+  if (options.cost == "printed") {
+    candidate.cost = PrintedCost(view, candidate.estimate, options, projected);
+    return;
+  }
+  candidate.matches = std::move(matching.matches);
+  candidate.cost = PriorCost(view, candidate.estimate, sides, projected, options.box, options.coverage) +
+                   LineCost(view, projected, matching.covered_length, options.coverage);
+}
+
+int MatchedEdges(const std::vector<EdgeMatch>& matches) {
+  std::vector<int> edges;
+  for (const EdgeMatch& match : matches) edges.push_back(match.edge);
+  std::sort(edges.begin(), edges.end());
+  return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
+}
+
+EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
+                     const AssociationOptions& options) {
+  if (!candidate.finite || candidate.estimate.coefficients.norm() > 10) return EstimateStatus::kDiverged;
+  if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
+  if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  if (extremes[0].edge < 0) return EstimateStatus::kOffTheBox;
+  const Box seen{extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
+                 extremes[3].pixel - extremes[1].pixel};
+  const double covered = Intersection(seen, view.detection.box).area() / std::max(seen.area(), 1.0);
+  return covered < 0.5 ? EstimateStatus::kOffTheBox : EstimateStatus::kOk;
+}
+
+double RmsPixels(const std::vector<EdgeMatch>& matches) {
+  double sum = 0;
+  for (const EdgeMatch& match : matches) sum += match.cost * match.cost;
+  return matches.empty() ? 0 : std::sqrt(sum / static_cast<double>(matches.size()));
+}
+
+}  // namespace
+
+ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,
+                                const ResectionOptions& resection, EstimatorTimes& times) {
+  std::vector<Candidate> candidates;
+  {
+    const StageClock clock(times.association_ms);
+    candidates = Diverse(Search(view, association), association, view.model->spec.symmetry_order);
+  }
+  for (Candidate& candidate : candidates) Refine(view, association, resection, candidate, times);
+  const auto best = std::min_element(candidates.begin(), candidates.end(),
+                                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+
+  const StageClock clock(times.optimization_ms);
+  ProjectedWireframe projected;
+  Project(view, best->estimate, best->hypothesis.sides, projected);
+  ObjectEstimation result;
+  result.initial = best->hypothesis.start;
+  result.estimate.T_camera_object = best->estimate.T_camera_object;
+  result.estimate.coefficients = best->estimate.coefficients;
+  result.estimate.status = Judge(view, *best, projected, association);
+  result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected, best->estimate,
+                                              association.box, resection);
+  result.estimate.rms_pixels = RmsPixels(best->matches);
+  result.estimate.matches = std::move(best->matches);
+  result.estimate.cost = best->cost;
+  result.estimate.iterations = best->iterations;
+  return result;
+}
+
+}  // namespace armature

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One object in one image: association (paper 3.3, Algorithm 1) and resection (3.4) in turn.
+#pragma once
+
+#include "association/hypotheses.h"
+#include "association/hypothesis_cost.h"
+#include "association/printed_cost.h"
+#include "resection/line_resection.h"
+
+namespace armature {
+
+struct AssociationOptions {
+  std::string cost = "coverage";   // "coverage" or "printed", the paper's C1 + k1 C2 + k2 C3
+  PrintedCostOptions printed;
+  CostOptions coverage;
+  HypothesisOptions hypotheses;
+  BoxOptions box;
+  int refined_hypotheses = 8;      // the best, diverse ones that go on to resection
+  int rounds = 4;                  // of association and resection each, at most
+  double search_gate = 0.04;       // share of the box's diagonal: distance gate of the search and the first round
+  double final_gate_pixels = 4;    // distance gate of the last round and of the reported matches
+  double search_angle_deg = 10;    // degrees: angle gate of the search
+  double final_angle_deg = 6;      // degrees
+  double diverse_azimuth_deg = 10; // degrees: hypotheses closer than this in azimuth and
+  double diverse_depth = 0.1;      // this share in depth are the same; only the better is refined
+  int max_segments = 80;           // the longest in the box
+  int min_edges = 3;               // matched edges, fewer are too few
+  bool occlusion = true;           // objects already found in the image hide those behind them
+};
+
+struct EstimatorTimes {
+  double association_ms = 0;
+  double optimization_ms = 0;
+};
+
+struct ObjectEstimation {
+  ObjectEstimate estimate;
+  PoseAndShape initial;  // the winning hypothesis before resection
+};
+
+ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,
+                                const ResectionOptions& resection, EstimatorTimes& times);
+
+}  // namespace armature

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All options of a run: every field's default is here, its key, help and range in OptionTable.
+#pragma once
+
+#include <vector>
+
+#include "lines/line_detector.h"
+#include "pipeline/object_estimator.h"
+#include "pipeline/option_entry.h"
+#include "pipeline/up_direction.h"
+
+namespace armature {
+
+struct Options {
+  LineOptions lines;
+  UpOptions up;
+  AssociationOptions association;
+  ResectionOptions resection;
+};
+
+// One row an option; the rows point into `options`.
+std::vector<OptionEntry> OptionTable(Options& options);
+
+}  // namespace armature

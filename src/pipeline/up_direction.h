@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which way is up: made consistent over the frames by the odometry's rotations.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "association/detection.h"
+#include "geometry/camera.h"
+#include "geometry/segment.h"
+
+namespace armature {
+
+struct UpOptions {
+  std::string source = "auto";       // "auto": the sequence's where given, else estimated; "estimate"; "level"
+  int window_frames = 60;            // frames whose evidence is kept
+  int segments_per_frame = 60;       // the longest
+  double cone_deg = 20;              // degrees: a segment may be vertical if its plane holds a direction this near
+  double segment_sigma_deg = 0.7;    // degrees: of a vertical segment's plane
+  double viewpoint_sigma_deg = 5;    // degrees: of one detection's elevation and tilt
+  double level_sigma_deg = 20;       // degrees: of the assumption of a level camera, in each frame
+};
+
+struct UpEstimate {
+  Eigen::Vector3d up_camera{0, -1, 0};  // unit, camera frame
+  double sigma = 1;                     // radians, standard deviation as estimated
+};
+
+// Three kinds of evidence, each seldom wrong where another is: the detections' elevations and tilts say where up is to a
+// few degrees each, the vertical segments say it precisely once it is roughly known (their planes through the camera
+// hold it: the vanishing point of the verticals), and a camera is rarely held far from level.
+// Memory is bounded by the window.
+class UpEstimator {
+ public:
+  explicit UpEstimator(const UpOptions& options) : options_(options) {}
+
+  // `T_odom_camera` missing: what the earlier frames said cannot be used and is forgotten.
+  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments,
+                    const std::vector<Detection>& detections, const std::optional<Eigen::Isometry3d>& T_odom_camera);
+
+ private:
+  struct FrameEvidence {                       // all in the frame of the odometry, unit
+    std::vector<Eigen::Vector3d> plane_normals;  // of segments' planes through the camera
+    std::vector<double> weights;                 // of those, 0..1, by length
+    std::vector<Eigen::Vector3d> viewpoint_ups;
+    Eigen::Vector3d level_up;
+  };
+  FrameEvidence Observe(const Camera& camera, const std::vector<Segment>& segments,
+                        const std::vector<Detection>& detections, const Eigen::Matrix3d& R_odom_camera) const;
+  Eigen::Vector3d RoughUp() const;
+
+  UpOptions options_;
+  std::deque<FrameEvidence> window_;
+};
+
+}  // namespace armature

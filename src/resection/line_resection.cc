@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "resection/line_resection.h"
+
+#include <ceres/tiny_solver.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/rotation.h"
+#include "resection/resection_problem.h"
+
+namespace armature {
+namespace {
+
+NormalTerm NormalTermFromName(const std::string& name) {
+  if (name == "axis") return NormalTerm::kAxis;
+  if (name == "base") return NormalTerm::kBase;
+  if (name == "printed") return NormalTerm::kPrinted;
+  return NormalTerm::kNone;
+}
+
+// The line through a segment in pixels, a^2 + b^2 = 1.
+Eigen::Vector3d LineThrough(const Segment& segment) {
+  const Eigen::Vector2d d = (segment.p2 - segment.p1).normalized();
+  return {-d.y(), d.x(), d.y() * segment.p1.x() - d.x() * segment.p1.y()};
+}
+
+// Position s of the edge's point whose image is nearest to the pixel, kept within the edge.
+double PositionOnEdge(const ProjectedEdge& edge, const Eigen::Vector2d& pixel) {
+  const double along = edge.direction.dot(pixel - edge.line.p1) / edge.length;
+  const double t = std::clamp(along, 0.0, 1.0);
+  const double inverse_z = edge.inverse_z1 + t * (edge.inverse_z2 - edge.inverse_z1);
+  return edge.s1 + (edge.s2 - edge.s1) * t * edge.inverse_z2 / inverse_z;
+}
+
+void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                const ResectionOptions& options, ResectionProblem& problem) {
+  for (const EdgeMatch& match : matches) {
+    const ProjectedEdge& edge = projected.edges[static_cast<size_t>(match.edge)];
+    if (edge.length <= 0) continue;
+    const Eigen::Vector3d line = LineThrough(match.segment);
+    const double weight = std::sqrt(std::min(1.0, match.segment.length() / options.full_length));
+    for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
+      const ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
+      problem.line_terms.push_back({point, line, weight / options.segment_sigma, options.loss_scale, false});
+    }
+  }
+}
+
+// Each side of the box is a line that the extreme point of the projection on that side should touch (seen sides) or
+// reach (open sides).
+void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWireframe& projected,
+            const BoxOptions& box_options, const ResectionOptions& options, ResectionProblem& problem) {
+  if (options.box_weight <= 0) return;
+  const Box& box = view.detection.box;
+  const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  // Signed so that the distance is positive where the projection falls short of the side.
+  const std::array<Eigen::Vector3d, 4> lines = {
+      Eigen::Vector3d(1, 0, -box.left()), Eigen::Vector3d(0, 1, -box.top()), Eigen::Vector3d(-1, 0, box.right()),
+      Eigen::Vector3d(0, -1, box.bottom())};
+  for (size_t side = 0; side < 4; ++side) {
+    if (extremes[side].edge < 0) continue;
+    const ShapePoint point = PointOnEdge(*problem.model, extremes[side].edge, extremes[side].s);
+    const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
+    problem.line_terms.push_back({point, lines[side], options.box_weight / sigma, options.box_loss_scale,
+                                  sides[side] == BoxSide::kOpen});
+  }
+}
+
+// The object's lowest end of an edge touches the floor: -up . P = camera height.
+void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProblem& problem) {
+  if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return;
+  const Wireframe wireframe = WireframeFromCoefficients(*view.model, start.coefficients);
+  EdgeEnd lowest;
+  double lowest_y = 1e9;
+  for (int e = 0; e < wireframe.edges(); ++e) {
+    for (int end = 0; end < 2; ++end) {
+      if (const double y = wireframe.End(e, end).y(); y < lowest_y) {
+        lowest_y = y;
+        lowest = {e, end};
+      }
+    }
+  }
+  problem.plane_terms.push_back({PointOnEdge(*view.model, lowest.edge, lowest.end - 0.5), *view.up_camera,
+                                 view.floor->camera_height, 1 / view.floor->sigma, 3.0});
+}
+
+ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                             const ProjectedWireframe& projected, const PoseAndShape& start,
+                             const BoxOptions& box_options, const ResectionOptions& options) {
+  ResectionProblem problem;
+  problem.camera = view.camera;
+  problem.model = view.model;
+  problem.R0 = start.T_camera_object.linear();
+  problem.T0 = start.T_camera_object.translation();
+  problem.shape_weight = options.shape_weight;
+  if (view.up_camera) {
+    problem.normal_term = NormalTermFromName(options.normal_term);
+    problem.up_camera = *view.up_camera;
+    problem.up_weight = 1 / (options.up_sigma_deg * kDegree);
+  } else {
+    problem.normal_term = NormalTerm::kNone;
+  }
+  problem.line_terms.reserve(2 * matches.size() + 4);
+  AddMatches(matches, projected, options, problem);
+  AddBox(view, sides, projected, box_options, options, problem);
+  AddFloor(view, start, problem);
+  return problem;
+}
+
+using Solver = ceres::TinySolver<ResectionProblem>;
+
+// The paper's turns: pose with the shape held, then shape with the pose held.
+int SolveAlternating(Solver& solver, ResectionProblem& problem, Solver::Parameters& x, int alternations) {
+  int iterations = 0;
+  for (int turn = 0; turn < alternations; ++turn) {
+    for (const bool pose : {true, false}) {
+      problem.pose_is_free = pose;
+      problem.shape_is_free = !pose;
+      iterations += solver.Solve(problem, &x).iterations;
+    }
+  }
+  problem.pose_is_free = problem.shape_is_free = true;
+  return iterations;
+}
+
+}  // namespace
+
+ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                       const ProjectedWireframe& projected, const PoseAndShape& start, const BoxOptions& box_options,
+                       const ResectionOptions& options) {
+  ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
+  Solver::Parameters x = Solver::Parameters::Zero(problem.NumParameters());
+  x.tail(problem.Modes()) = start.coefficients;
+  Solver solver;
+  solver.options.max_num_iterations = options.max_iterations;
+  solver.options.function_tolerance = 1e-3;
+  solver.options.parameter_tolerance = 1e-4;
+  ResectionResult result;
+  result.iterations = options.mode == "alternating" ? SolveAlternating(solver, problem, x, options.alternations)
+                                                    : solver.Solve(problem, &x).iterations;
+  result.cost = solver.summary.final_cost;
+  result.finite = x.allFinite();
+  result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
+  result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
+  result.estimate.coefficients = x.tail(problem.Modes());
+  return result;
+}
+
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
+                                           const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                                           const PoseAndShape& estimate, const BoxOptions& box_options,
+                                           const ResectionOptions& options) {
+  const ResectionProblem problem = MakeProblem(view, sides, matches, projected, estimate, box_options, options);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
+  x.tail(problem.Modes()) = estimate.coefficients;
+  Eigen::VectorXd residuals(problem.NumResiduals());
+  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
+  problem(x.data(), residuals.data(), J.data());
+  Eigen::MatrixXd information = J.transpose() * J;
+  // A direction that nothing observes gets a large but finite variance: 1 rad, 10 m.
+  information.diagonal().head<3>().array() += 1.0;
+  information.diagonal().segment<3>(3).array() += 0.01;
+  return information.ldlt().solve(Eigen::MatrixXd::Identity(x.size(), x.size())).topLeftCorner<6, 6>();
+}
+
+}  // namespace armature

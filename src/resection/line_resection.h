@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Resection (paper 3.4): the pose and shape that fit matched lines, the detection's box, the up direction, the floor and
+// the category's shape statistics best.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "association/box_constraints.h"
+#include "association/object_view.h"
+#include "resection/object_estimate.h"
+
+namespace armature {
+
+struct ResectionOptions {
+  std::string mode = "joint";        // "joint": pose and shape together; "alternating": the paper's turns
+  std::string normal_term = "axis";  // "none", "axis", "base", "printed": see resection_problem.h
+  int max_iterations = 5;            // of the optimiser, each round
+  int alternations = 5;              // of mode "alternating"
+  double segment_sigma = 2.0;        // pixels: standard deviation of a segment's end from its edge
+  double full_length = 60;           // pixels: a segment of this length has full weight, shorter ones less
+  double loss_scale = 3.0;           // standard deviations, of the Geman-McClure loss on segments
+  double box_weight = 1.0;           // multiplies the box's residuals; 0: none
+  double box_loss_scale = 3.0;       // standard deviations
+  double up_sigma_deg = 1.5;         // degrees: of the up direction
+  double shape_weight = 0.7;         // multiplies the coefficients in the regulariser
+};
+
+struct ResectionResult {
+  PoseAndShape estimate;
+  double cost = 0;  // half the squared norm of the robust, whitened residuals
+  int iterations = 0;
+  bool finite = true;
+};
+
+// One round: matches and the box's extreme points stay as they are at `start` (`projected` is its projection).
+ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                       const ProjectedWireframe& projected, const PoseAndShape& start, const BoxOptions& box_options,
+                       const ResectionOptions& options);
+
+// Covariance of the pose (see ObjectEstimate) at the given estimate, shape marginalised.
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
+                                           const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                                           const PoseAndShape& estimate, const BoxOptions& box_options,
+                                           const ResectionOptions& options);
+
+}  // namespace armature
