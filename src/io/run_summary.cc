@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/run_summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/build_info.h"
+
+namespace armature {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double Rounded(double value) { return std::round(value * 1000) / 1000; }
+
+Json QuantileJson(const std::vector<float>& values, double fraction) {
+  const std::optional<double> value = Quantile(values, fraction);
+  return value ? Json(Rounded(*value)) : Json(nullptr);
+}
+
+Json StagesJson(const StageStatistics& statistics) {
+  Json stages;
+  for (const StageStatistics::Stage& stage : statistics.stages()) {
+    stages[stage.name] = {{"median", QuantileJson(stage.milliseconds, 0.5)},
+                          {"p90", QuantileJson(stage.milliseconds, 0.9)},
+                          {"p99", QuantileJson(stage.milliseconds, 0.99)},
+                          {"frames", stage.milliseconds.size()}};
+  }
+  return stages;
+}
+
+Json CountsJson(const RunCounts& counts) {
+  Json observations;
+  for (size_t i = 0; i < kAllStatuses.size(); ++i) {
+    observations[std::string(StatusName(kAllStatuses[i]))] = counts.observations[i];
+  }
+  return {{"frames", counts.frames},
+          {"skipped_images", counts.skipped_images},
+          {"detections", counts.detections},
+          {"segments", counts.segments},
+          {"observations", observations}};
+}
+
+Json SkippedJson(const RunCounts& counts) {
+  Json skipped = Json::array();
+  for (const SkippedImage& image : counts.skipped) {
+    skipped.push_back({{"timestamp", image.timestamp}, {"reason", image.reason}});
+  }
+  return skipped;
+}
+
+}  // namespace
+
+std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, const StageStatistics& statistics,
+                        double wall_seconds) {
+  const BuildInfo build = GetBuildInfo();
+  const MachineInfo machine = GetMachineInfo();
+  Json json;
+  json["program"] = "armature";
+  json["version"] = build.version;
+  json["sequence"] = summary.sequence;
+  json["preset"] = summary.preset;
+  json["threads"] = summary.threads;
+  json["git"] = {{"commit", build.git_commit}, {"dirty", build.git_dirty}};
+  json["versions"] = {
+      {"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}, {"compiler", build.compiler}};
+  json["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}};
+  json["counts"] = CountsJson(counts);
+  json["skipped"] = SkippedJson(counts);
+  json["stages_ms"] = StagesJson(statistics);  // wall clock a frame; total is without load
+  json["wall_seconds"] = Rounded(wall_seconds);
+  json["peak_memory_mb"] = Rounded(PeakMemoryMegabytes());
+  json["complete"] = true;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace armature

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// summary.json of a run folder: what ran, on what, how much there was and how long it took.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/stage_statistics.h"
+#include "resection/object_estimate.h"
+
+namespace armature {
+
+// Every status, in the order of the enumeration.
+inline constexpr std::array kAllStatuses{EstimateStatus::kOk, EstimateStatus::kTooFewEdges,
+                                         EstimateStatus::kBehindCamera, EstimateStatus::kDiverged,
+                                         EstimateStatus::kOffTheBox};
+
+struct SkippedImage {
+  double timestamp = 0;  // seconds
+  std::string reason;    // one line
+};
+
+struct RunCounts {
+  long frames = 0;  // processed, without the skipped
+  long skipped_images = 0;
+  long detections = 0;
+  long segments = 0;
+  std::array<long, kAllStatuses.size()> observations{};  // by status
+  std::vector<SkippedImage> skipped;                     // the first hundred
+};
+
+// What the caller knows about the run.
+struct RunSummary {
+  std::string sequence;  // its name
+  std::string preset;    // configuration that the run started from
+  int threads = 1;
+};
+
+// The text of summary.json, with `"complete": true`.
+std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, const StageStatistics& statistics,
+                        double wall_seconds);
+
+}  // namespace armature

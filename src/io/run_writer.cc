@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/run_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/number_format.h"
+
+namespace armature {
+namespace {
+
+constexpr size_t kMostSkippedListed = 100;
+
+void CheckWritten(const std::ofstream& stream, const std::filesystem::path& file) {
+  if (!stream)
+    throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", file.string()));
+}
+
+void WriteFile(const std::filesystem::path& file, const std::string& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  stream.close();
+  CheckWritten(stream, file);
+}
+
+// tx,ty,tz,qx,qy,qz,qw
+std::string PoseFields(const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d t = pose.translation();
+  const Eigen::Quaterniond q = CanonicalQuaternion(pose.linear());
+  return fmt::format("{},{},{},{},{},{},{}", Fixed(t.x(), 6), Fixed(t.y(), 6), Fixed(t.z(), 6),
+                     Fixed(q.x(), 9), Fixed(q.y(), 9), Fixed(q.z(), 9), Fixed(q.w(), 9));
+}
+
+std::string ShapeField(const Eigen::VectorXd& coefficients) {
+  std::vector<std::string> values;
+  for (const double value : coefficients) values.push_back(Fixed(value, 6));
+  return fmt::format("{}", fmt::join(values, ";"));
+}
+
+// Several collinear segments may explain one edge.
+size_t EdgesMatched(const std::vector<EdgeMatch>& matches) {
+  std::vector<int> edges;
+  for (const EdgeMatch& match : matches) edges.push_back(match.edge);
+  std::sort(edges.begin(), edges.end());
+  return static_cast<size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+}
+
+const CategorySpec& SpecOf(const std::vector<CategoryModel>& models, const std::string& category) {
+  for (const CategoryModel& model : models) {
+    if (model.spec.name == category) return model.spec;
+  }
+  throw std::logic_error("the run writer knows no category " + category);
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const std::filesystem::path& folder, std::vector<CategoryModel> models)
+    : folder_(folder),
+      models_(std::move(models)),
+      observations_(File("observations.csv")),
+      associations_(File("associations.csv")),
+      timings_(File("timings.csv")) {
+  observations_ << "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape\n";
+  associations_ << "timestamp,index,edge,segment_x1,segment_y1,segment_x2,segment_y2,cost\n";
+  timings_
+      << "timestamp,objects,segments,load_ms,lines_ms,association_ms,optimization_ms,mapping_ms,total_ms\n";
+}
+
+void RunWriter::WriteConfig(const std::string& yaml) { WriteFile(File("config.yaml"), yaml); }
+
+void RunWriter::WriteTrajectories(const std::vector<TimedPose>& trajectory,
+                                  const std::vector<TimedPose>& odometry_scaled) {
+  WriteTumTrajectory(File("trajectory.txt"), trajectory);
+  WriteTumTrajectory(File("odometry_scaled.txt"), odometry_scaled);
+}
+
+void RunWriter::AddFrame(const FrameResult& frame) {
+  for (size_t index = 0; index < frame.observations.size(); ++index) {
+    WriteObservation(frame.timestamp, index, frame.observations[index]);
+    WriteAssociations(frame.timestamp, index, frame.observations[index]);
+    const auto status = static_cast<size_t>(frame.observations[index].estimate.status);
+    ++counts_.observations.at(status);
+  }
+  WriteTimings(frame);
+  statistics_.Add(frame.times);
+  ++counts_.frames;
+  counts_.detections += static_cast<long>(frame.observations.size());
+  counts_.segments += static_cast<long>(frame.segments.size());
+  CheckWritten(observations_, File("observations.csv"));
+  CheckWritten(associations_, File("associations.csv"));
+  CheckWritten(timings_, File("timings.csv"));
+}
+
+void RunWriter::WriteObservation(double timestamp, size_t index, const ObjectObservation& observation) {
+  const ObjectEstimate& estimate = observation.estimate;
+  const bool has_pose = estimate.status == EstimateStatus::kOk;
+  const std::string object;  // no map yet
+  observations_ << fmt::format(
+      "{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index, StatusName(estimate.status), object,
+      estimate.matches.empty() ? "" : Fixed(estimate.cost, 6), EdgesMatched(estimate.matches),
+      has_pose ? PoseFields(estimate.T_camera_object) : ",,,,,,",
+      has_pose ? ShapeField(estimate.coefficients) : "");
+}
+
+void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation) {
+  const CategorySpec& spec = SpecOf(models_, observation.detection.category);
+  for (const EdgeMatch& match : observation.estimate.matches) {
+    const Segment& segment = match.segment;
+    associations_ << fmt::format("{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index,
+                                 spec.edge_names.at(static_cast<size_t>(match.edge)),
+                                 Fixed(segment.p1.x(), 3), Fixed(segment.p1.y(), 3), Fixed(segment.p2.x(), 3),
+                                 Fixed(segment.p2.y(), 3), Fixed(match.cost, 4));
+  }
+}
+
+void RunWriter::WriteTimings(const FrameResult& frame) {
+  const StageTimes& times = frame.times;
+  timings_ << fmt::format("{},{},{},{},{},{},{},{},{}\n", Fixed(frame.timestamp, 6),
+                          frame.observations.size(), frame.segments.size(), Fixed(times.load, 4),
+                          Fixed(times.lines, 4), Fixed(times.association, 4), Fixed(times.optimization, 4),
+                          Fixed(times.mapping, 4), Fixed(times.total(), 4));
+}
+
+void RunWriter::AddSkippedImage(double timestamp, const std::string& reason) {
+  ++counts_.skipped_images;
+  if (counts_.skipped.size() < kMostSkippedListed) counts_.skipped.push_back({timestamp, reason});
+}
+
+void RunWriter::Finish(const RunSummary& summary) {
+  observations_.close();
+  associations_.close();
+  timings_.close();
+  CheckWritten(observations_, File("observations.csv"));
+  CheckWritten(associations_, File("associations.csv"));
+  CheckWritten(timings_, File("timings.csv"));
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;
+  WriteFile(File("summary.json"), SummaryJson(summary, counts_, statistics_, wall.count()));
+  folder_.Publish();
+}
+
+}  // namespace armature

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One table, written as aligned text, Markdown, CSV, LaTeX or JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armature {
+
+// A text, a number, or nothing (shown as a dash).
+struct Cell {
+  std::string text;        // as shown; empty: nothing
+  bool is_number = false;  // aligned to the right, and a number in JSON
+};
+
+Cell TextCell(std::string text);
+// Fixed digits after the point; nothing for a value that is not finite or absent.
+Cell NumberCell(std::optional<double> value, int digits);
+Cell CountCell(long count);
+Cell NoCell();  // nothing was measured
+
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<Cell>> rows;  // each as long as the columns
+  std::vector<std::string> notes;       // lines under the table: what each span or number means
+};
+
+enum class TableFormat { kText, kMarkdown, kCsv, kLatex, kJson };
+
+// "text", "markdown", "csv", "latex", "json"; throws InputError for another name.
+TableFormat TableFormatFromName(const std::string& name);
+
+// Ends with a line break. Columns of numbers are aligned to the right. Throws std::logic_error when a row has
+// another length than the columns.
+std::string FormatTable(const Table& table, TableFormat format);
+
+}  // namespace armature
