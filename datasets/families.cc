@@ -56,21 +56,22 @@ TableParameters DrawTable(Random& random) {
   const double depth = kind.depth_at_min_width + along * (kind.depth_at_max_width - kind.depth_at_min_width);
   table.depth = std::clamp(random.Normal(depth, kind.depth_sigma), 0.45, std::min(1.10, table.width));
   table.height = std::clamp(random.Normal(0.74, 0.015), 0.70, 0.78);
-  const double overhang = random.Uniform(0.01, 0.12);
-  const double deeper = random.Uniform(0, 1) < 0.15 ? random.Uniform(0, 0.15) : 0;  // legs well under the top
-  table.overhang_z = overhang * random.Uniform(0.7, 1.1);
-  table.overhang_x = overhang + deeper;
-  table.leg_start = random.Uniform(0.02, 0.14);
-  table.splay = random.Uniform(0, 1) < 0.15 ? random.Uniform(0, std::min(0.06, table.overhang_z)) : 0;
+  // Feet stand close to the corners; on every fourth table they are well under the top.
+  table.overhang_z = random.Uniform(0.01, 0.12);
+  table.overhang_x = table.overhang_z * random.Uniform(0.8, 1.4);
+  if (random.Uniform(0, 1) < 0.25) table.overhang_x += random.Uniform(0, 0.14 * table.width);
+  if (random.Uniform(0, 1) < 0.15) table.overhang_z += random.Uniform(0, 0.10 * table.depth);
+  table.leg_start = random.Uniform(0.0, 0.18);
+  if (random.Uniform(0, 1) < 0.20) table.splay = random.Uniform(-0.03, 0.08);
   return table;
 }
 
 LaptopParameters DrawLaptop(Random& random) {
   LaptopParameters laptop;
   laptop.width = std::clamp(random.Normal(0.34, 0.025), 0.28, 0.40);
-  laptop.depth = laptop.width * std::clamp(random.Normal(0.69, 0.04), 0.60, 0.80);
-  laptop.lid_height = laptop.depth * random.Uniform(0.88, 1.0);
-  laptop.lid_angle_deg = std::clamp(random.Normal(108, 10), 90.0, 135.0);
+  laptop.depth = laptop.width * std::clamp(random.Normal(0.71, 0.06), 0.58, 0.90);
+  laptop.lid_height = laptop.depth * random.Normal(0.93, 0.07);
+  laptop.lid_angle_deg = std::clamp(random.Normal(106, 12), 90.0, 135.0);
   return laptop;
 }
 

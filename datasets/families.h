@@ -19,7 +19,8 @@ struct TableParameters {
   double overhang_x = 0.07;  // from the top's side to the legs' centre line, metres
   double overhang_z = 0.07;
   double leg_start = 0.07;  // how far below the top's upper side the legs begin to be seen, metres
-  double splay = 0.0;  // how far the legs' feet stand further out than their tops, along x and z each, metres
+  double splay = 0.0;       // how far the legs' feet stand further out than their tops, along x and z each,
+                            // metres; may be negative
 };
 
 // A laptop: two rectangles that meet at the hinge; thickness is not modelled.
