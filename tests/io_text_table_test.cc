@@ -59,7 +59,8 @@ TEST(TextTable, WritesJson) {
 }
 
 TEST(TextTable, CountsCharactersNotBytes) {
-  const Table table{.title = "", .columns = {"a"}, .rows = {{TextCell("±1°")}, {TextCell("12345")}}, .notes = {}};
+  const Table table{
+      .title = "", .columns = {"a"}, .rows = {{TextCell("±1°")}, {TextCell("12345")}}, .notes = {}};
   EXPECT_EQ(FormatTable(table, TableFormat::kMarkdown), "| a     |\n| :-- |\n| ±1°   |\n| 12345 |\n");
 }
 
