@@ -60,6 +60,7 @@ TableParameters DrawTable(Random& random) {
   table.overhang_z = random.Uniform(0.01, 0.12);
   table.overhang_x = table.overhang_z * random.Uniform(0.8, 1.4);
   if (random.Uniform(0, 1) < 0.25) table.overhang_x += random.Uniform(0, 0.14 * table.width);
+  table.overhang_x = std::min(table.overhang_x, 0.22 * table.width);
   if (random.Uniform(0, 1) < 0.15) table.overhang_z += random.Uniform(0, 0.10 * table.depth);
   table.leg_start = random.Uniform(0.0, 0.18);
   if (random.Uniform(0, 1) < 0.20) table.splay = random.Uniform(-0.03, 0.08);

@@ -27,8 +27,9 @@ void CheckArguments(const LearnArguments& arguments) {
   }
   if (arguments.count < 2)
     throw InputError(fmt::format("learn: --count {}: at least 2 are needed", arguments.count));
-  if (arguments.modes < 0)
-    throw InputError(fmt::format("learn: --modes {}: has to be positive", arguments.modes));
+  if (arguments.modes < 0 || arguments.modes > kMaxModes) {
+    throw InputError(fmt::format("learn: --modes {}: has to be from 1 to {}", arguments.modes, kMaxModes));
+  }
 }
 
 }  // namespace

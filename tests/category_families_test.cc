@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "datasets/families.h"
+#include "datasets/random.h"
+
+namespace armature {
+namespace {
+
+TEST(Random, IsTheSameOnEveryPlatform) {
+  Random random(1);
+  EXPECT_EQ(random.Uniform(0, 1), 0.13387664401253263);
+  Random again(1);
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += again.Uniform(0, 1);
+  Random normal(1);
+  EXPECT_EQ(normal.Normal(2, 3), 2 + 3 * sum);
+}
+
+TEST(Random, NormalHasItsMeanAndDeviation) {
+  Random random(5);
+  double sum = 0, squares = 0;
+  const int count = 20000;
+  for (int i = 0; i < count; ++i) {
+    const double x = random.Normal(1, 2);
+    sum += x;
+    squares += (x - 1) * (x - 1);
+  }
+  EXPECT_NEAR(sum / count, 1, 0.05);
+  EXPECT_NEAR(squares / count, 4, 0.15);
+}
+
+TEST(Families, SameSeedSameMembers) {
+  const auto a = SampleTableFamily(50, 7), b = SampleTableFamily(50, 7), c = SampleTableFamily(50, 8);
+  EXPECT_EQ(a[49].width, b[49].width);
+  EXPECT_NE(a[49].width, c[49].width);
+  EXPECT_EQ(SampleLaptopFamily(50, 7)[49].depth, SampleLaptopFamily(50, 7)[49].depth);
+}
+
+TEST(Families, TablesStayWithinFurnitureSizes) {
+  for (const TableParameters& table : SampleTableFamily(2000, 3)) {
+    EXPECT_GE(table.width, table.depth);
+    EXPECT_GE(table.depth, 0.45);
+    EXPECT_LE(table.width, 2.30);
+    EXPECT_GE(table.height, 0.70);
+    EXPECT_LE(table.height, 0.78);
+    EXPECT_LT(2 * table.overhang_x, 0.5 * table.width);
+    EXPECT_LT(2 * table.overhang_z, 0.8 * table.depth);
+    EXPECT_LT(table.leg_start, 0.2);
+  }
+}
+
+TEST(Families, TableEdgesAreWhereTheirParametersSay) {
+  const Wireframe table = TableWireframe({1.6, 0.8, 0.74, 0.10, 0.05, 0.06, 0.02});
+  EXPECT_EQ(BoundingBoxSize(table).x(), 1.6);
+  EXPECT_NEAR(BoundingBoxSize(table).y(), 0.74, 1e-15);
+  EXPECT_LT((table.End(0, 0) - Eigen::Vector3d(-0.8, 0.37, -0.4)).norm(),
+            1e-12);  // top_rear starts at the left
+  EXPECT_LT((table.End(6, 0) - Eigen::Vector3d(0.7, 0.31, 0.35)).norm(),
+            1e-12);  // leg_front_right, under the top
+  EXPECT_LT((table.End(6, 1) - Eigen::Vector3d(0.72, -0.37, 0.37)).norm(), 1e-12);  // splayed foot
+}
+
+TEST(Families, LaptopLidIsOpenByItsAngle) {
+  const Wireframe laptop = LaptopWireframe({0.34, 0.24, 0.20, 120});
+  const Eigen::Vector3d lid = -laptop.directions.col(1), base = laptop.directions.col(4);
+  EXPECT_NEAR(lid.norm(), 0.20, 1e-12);
+  EXPECT_NEAR(lid.normalized().dot(base.normalized()), -0.5, 1e-12);
+  EXPECT_GT(lid.y(), 0);
+  EXPECT_NEAR(BoundingBoxSize(laptop).z(), 0.24 + 0.10, 1e-12);
+}
+
+}  // namespace
+}  // namespace armature

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/category_yaml.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/category_examples.h"
+#include "support/expect_input_error.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+using testing::CategoryFolder;
+using testing::ExpectInputError;
+using testing::ReadFile;
+using testing::TempFolder;
+
+const char* const kCategories[] = {"chair", "laptop", "table"};
+
+TEST(CategoryYaml, RoundTripIsExact) {
+  const TempFolder folder;
+  for (const char* name : kCategories) {
+    const CategoryModel model = LoadCategory(CategoryFolder() / fmt::format("{}.yaml", name));
+    const auto file = folder / name;
+    WriteCategory(model, file);
+    const CategoryModel again = LoadCategory(file);
+    EXPECT_EQ(again.mean, model.mean);
+    EXPECT_EQ(again.basis, model.basis);
+    EXPECT_EQ(again.standard_deviations, model.standard_deviations);
+    EXPECT_EQ(again.total_variance, model.total_variance);
+    EXPECT_EQ(again.dictionary, model.dictionary);
+    EXPECT_EQ(again.source, model.source);
+    EXPECT_EQ(CategoryText(again), ReadFile(file));
+  }
+}
+
+TEST(CategoryYaml, ShippedModelsCarryTheSpecificationTheyAreShippedWith) {
+  for (const char* name : kCategories) {
+    const std::string file = fmt::format("{}.yaml", name);
+    CategoryModel model = LoadCategory(CategoryFolder() / file);
+    const std::string with_own = CategoryText(model);
+    model.spec = LoadCategorySpec(CategoryFolder() / "specs" / file);
+    EXPECT_EQ(CategoryText(model), with_own) << "learn " << name << " again";
+  }
+}
+
+TEST(CategoryYaml, ADirectoryIsReadSortedByName) {
+  const std::vector<CategoryModel> models = LoadCategories(CategoryFolder());
+  ASSERT_EQ(models.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(models[i].spec.name, kCategories[i]);
+}
+
+TEST(CategoryYaml, DirectoriesWithoutOrWithTwoModelsOfACategoryAreRefused) {
+  const TempFolder folder;
+  ExpectInputError([&] { LoadCategories(folder.path()); }, {folder.path().string(), "armature learn"});
+  const std::string text = ReadFile(CategoryFolder() / "table.yaml");
+  folder.Write("a.yaml", text);
+  folder.Write("b.yaml", text);
+  ExpectInputError([&] { LoadCategories(folder.path()); }, {"b.yaml", "'table'"});
+}
+
+TEST(CategoryYaml, WritingIntoNowhereIsAnError) {
+  const CategoryModel model = LoadCategory(CategoryFolder() / "table.yaml");
+  const TempFolder folder;
+  ExpectInputError([&] { WriteCategory(model, folder / "absent" / "table.yaml"); },
+                   {"table.yaml", "directory"});
+}
+
+// Reads the shipped file with the first occurrence of `from` replaced.
+void ExpectRefused(const std::string& file, const std::string& from, const std::string& to,
+                   const std::vector<std::string>& texts) {
+  SCOPED_TRACE(to);
+  std::string content = ReadFile(CategoryFolder() / file);
+  const size_t at = content.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  content.replace(at, from.size(), to);
+  const TempFolder folder;
+  const auto changed = folder.Write("changed.yaml", content);
+  ExpectInputError(
+      [&] {
+        file.find("specs") == 0 ? static_cast<void>(LoadTrainingSpec(changed))
+                                : static_cast<void>(LoadCategory(changed));
+      },
+      texts);
+}
+
+TEST(CategoryYaml, BadSpecificationsAreNamedWithTheirLine) {
+  const std::string chair = "specs/chair.yaml";
+  ExpectRefused(chair, "category: chair", "category: a chair", {"changed.yaml:5", "'a chair'"});
+  ExpectRefused(chair, "- back_left", "- back_top", {"changed.yaml:6", "'back_top' twice"});
+  ExpectRefused(chair, "[seat_left, seat_rear]", "[seat_left]", {"changed.yaml:", "base_edges", "two edges"});
+  ExpectRefused(chair, "[seat_left, seat_rear]", "[seat_lefft, seat_rear]", {"seat_lefft", "seat_left"});
+  ExpectRefused(chair, "back_top.start", "back_top.begin", {"'back_top.begin'", "EDGE.start"});
+  ExpectRefused(chair, "height_above_ground", "height", {"'height'", "height_above_ground or length"});
+  ExpectRefused(chair, "metres: 0.45", "metres: -0.45", {"reference.metres", "positive"});
+  ExpectRefused(chair, "symmetry_order: 1", "symmetry_order: 0", {"symmetry_order", "at least 1"});
+  ExpectRefused(chair, "stands_on_floor: true", "stands_on_flor: true",
+                {"stands_on_flor", "stands_on_floor"});
+  ExpectRefused(chair, "modes: 7", "modes: 700", {"training.modes", "700"});
+  ExpectRefused(chair, "[0.35, 0.70]", "[0.70, 0.35]", {"training.plausible.width", "[least, greatest]"});
+}
+
+TEST(CategoryYaml, BadModelsAreNamedWithTheirLine) {
+  const std::string laptop = "laptop.yaml";
+  ExpectRefused(laptop, "[base_left, hinge]", "[hinge, base_left]", {"changed.yaml:7", "point up"});
+  ExpectRefused(laptop, "standard_deviations: [", "standard_deviations: [1, ",
+                {"model.basis", "4 modes for 5"});
+  ExpectRefused(laptop, "standard_deviations: [", "standard_deviations: [-", {"have to be positive"});
+  ExpectRefused(laptop, "total_variance: 0", "total_variance: -1", {"total_variance", "less than"});
+  ExpectRefused(laptop, "    hinge: [0, ", "    hinge: [", {"model.mean.hinge", "5 numbers where 6"});
+  ExpectRefused(laptop, "    hinge: [0, ", "    hinge: [x, ", {"changed.yaml:", "'x'"});
+  ExpectRefused(laptop, "mode_2:", "mode_9:", {"model.basis.mode_2", "missing"});
+  ExpectRefused(laptop, "      screen_top: [0, ", "      screen_top: [0.5, ", {"model.basis", "orthonormal"});
+  ExpectRefused(laptop, "    model_1: [", "    model_1: [0, ",
+                {"model.dictionary.model_1", "5 numbers where 4"});
+}
+
+TEST(CategoryYaml, ASpecificationIsNoModel) {
+  ExpectInputError([] { LoadCategory(CategoryFolder() / "specs" / "chair.yaml"); },
+                   {"specs/chair.yaml", "model", "armature learn"});
+}
+
+}  // namespace
+}  // namespace armature

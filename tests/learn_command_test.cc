@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature learn`, through its command line.
+#include "app/learn_command.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/category_yaml.h"
+#include "support/category_examples.h"
+#include "support/expect_input_error.h"
+#include "support/shared_data.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+using testing::CategoryFolder;
+using testing::ExpectInputError;
+using testing::ReadFile;
+using testing::TempFolder;
+
+// What the command prints; fails the test when its exit status is not 0.
+std::string Learn(const std::string& arguments) {
+  CLI::App app;
+  int exit_status = -1;
+  AddLearnCommand(app, exit_status);
+  ::testing::internal::CaptureStdout();
+  try {
+    app.parse("learn " + arguments);
+  } catch (...) {
+    ::testing::internal::GetCapturedStdout();
+    throw;
+  }
+  std::fflush(stdout);
+  EXPECT_EQ(exit_status, 0);
+  return ::testing::internal::GetCapturedStdout();
+}
+
+std::string Spec(const std::string& category) {
+  return "--spec " + (CategoryFolder() / "specs" / (category + ".yaml")).string();
+}
+
+TEST(LearnCommand, LearnsTheShippedTableAgain) {
+  const TempFolder folder;
+  const auto file = folder / "table.yaml";
+  const std::string text = Learn(Spec("table") + " --family table --out " + file.string());
+  EXPECT_NE(text.find("2000 plausible of 2000"), std::string::npos) << text;
+  EXPECT_NE(text.find(file.string()), std::string::npos) << text;
+  const CategoryModel learnt = LoadCategory(file), shipped = LoadCategory(CategoryFolder() / "table.yaml");
+  EXPECT_LT((learnt.mean - shipped.mean).norm(), 1e-7);
+  EXPECT_EQ(learnt.source, shipped.source);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
+}
+
+TEST(LearnCommand, SameSeedSameBytesOtherSeedOthers) {
+  const TempFolder folder;
+  const std::string start = Spec("laptop") + " --family laptop --count 50 --out " + folder.path().string();
+  Learn(start + "/a.yaml --seed 3");
+  Learn(start + "/b.yaml --seed 3");
+  Learn(start + "/c.yaml --seed 4");
+  EXPECT_EQ(ReadFile(folder / "a.yaml"), ReadFile(folder / "b.yaml"));
+  EXPECT_NE(ReadFile(folder / "a.yaml"), ReadFile(folder / "c.yaml"));
+}
+
+TEST(LearnCommand, JsonHoldsVarianceAndHeldOutErrors) {
+  const auto json = nlohmann::json::parse(
+      Learn(Spec("table") + " --family table --count 200 --modes 5 --held-out 4 --json"));
+  EXPECT_EQ(json["category"], "table");
+  EXPECT_EQ(json["explained_variance"].size(), 5u);
+  EXPECT_EQ(json["held_out_every"], 4);
+  EXPECT_EQ(json["held_out"][0]["modes"], 3);
+  EXPECT_EQ(json["held_out"][0]["models"], 50);
+  EXPECT_GT(json["held_out"][0]["midpoint_m"], json["held_out"][1]["midpoint_m"]);
+}
+
+TEST(LearnCommand, LearnsFromAnnotatedEdges) {
+  const TempFolder folder;
+  folder.Write("spec.yaml",
+               "category: rod\nedges: [across, along]\nbase_edges: [along, across]\n"
+               "reference: {measure: length, edges: [across], metres: 1}\ntraining: {mirrored: false}\n");
+  std::string rows = "model,edge,x1,y1,z1,x2,y2,z2\n";
+  for (int i = 1; i <= 4; ++i) {
+    rows += fmt::format("m{0},across,0,0,0,{0},0,0\nm{0},along,0,0,0,0,0,5\n", i);
+  }
+  folder.Write("models.csv", rows);
+  const std::string root = folder.path().string();
+  Learn("--spec " + root + "/spec.yaml --annotations " + root + "/models.csv --out " + root + "/rod.yaml");
+  const CategoryModel model = LoadCategory(folder / "rod.yaml");
+  EXPECT_EQ(model.training_models, 4);
+  const Wireframe mean = WireframeFromVector(model.mean);
+  EXPECT_NEAR(mean.directions(0, 0), 1, 1e-9);  // scaled to one metre
+  EXPECT_NEAR(mean.directions(2, 1), 5 * (1 + 1 / 2.0 + 1 / 3.0 + 1 / 4.0) / 4, 1e-7);
+}
+
+TEST(LearnCommand, BadUsageIsOneLine) {
+  ExpectInputError([] { Learn(Spec("table") + " --family table"); }, {"--out", "--held-out"});
+  ExpectInputError([] { Learn(Spec("table") + " --held-out 4"); }, {"--annotations", "--family"});
+  ExpectInputError([] { Learn(Spec("table") + " --family chair --held-out 4"); },
+                   {"'chair'", "table, laptop"});
+  ExpectInputError([] { Learn(Spec("chair") + " --family table --held-out 4"); }, {"edges", "specification"});
+  ExpectInputError([] { Learn(Spec("table") + " --family table --held-out 1"); }, {"--held-out 1"});
+  ExpectInputError([] { Learn(Spec("table") + " --family table --held-out 4 --modes 99"); }, {"--modes 99"});
+  ExpectInputError([] { Learn("--spec absent.yaml --family table --held-out 4"); }, {"absent.yaml"});
+  ExpectInputError([] { Learn(Spec("table") + " --annotations absent.csv --held-out 4"); }, {"absent.csv"});
+}
+
+TEST(LearnCommand, HeldOutChairsAreReconstructedToCentimetres) {
+  ARMATURE_SHARED_DATA_OR_SKIP(table, "cad/keypointnet_chair_kp10.csv");
+  const auto json = nlohmann::json::parse(Learn(Spec("chair") + " --annotations " + table.string() +
+                                                " --format keypointnet_chair --held-out 4 --json"));
+  EXPECT_EQ(json["models_read"], 682);
+  EXPECT_EQ(json["training_models"], 406);
+  EXPECT_EQ(json["held_out"][2]["modes"], 7);
+  EXPECT_NEAR(json["held_out"][2]["midpoint_m"], 0.0139, 0.0005);
+  EXPECT_NEAR(json["held_out"][2]["direction_deg"], 2.35, 0.1);
+}
+
+}  // namespace
+}  // namespace armature
