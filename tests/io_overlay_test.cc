@@ -41,7 +41,7 @@ FrameResult RodAt(const Eigen::Vector3d& position) {
 }
 
 int BrightnessAt(const cv::Mat& image, int x, int y) {
-  const cv::Vec3b pixel = image.at<cv::Vec3b>(y, x);
+  const auto& pixel = image.at<cv::Vec3b>(y, x);
   return pixel[0] + pixel[1] + pixel[2];
 }
 

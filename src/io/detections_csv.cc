@@ -74,6 +74,7 @@ std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& 
   const bool has_elevation = table.HasColumn("elevation_deg");
   const bool has_tilt = table.HasColumn("tilt_deg");
   std::vector<TimedPose> stamps;
+  stamps.reserve(images.size());
   for (const ImageEntry& image : images) stamps.push_back({.timestamp = image.timestamp});
   std::vector<std::vector<Detection>> detections(images.size());
   for (const CsvRow& row : table.rows()) {

@@ -56,7 +56,7 @@ std::string NearestName(const std::string& name, const std::vector<std::string>&
 std::string UnknownNameMessage(const std::string& what, const std::string& name,
                                const std::vector<std::string>& known) {
   if (known.empty()) return fmt::format("unknown {} {}; none is known", what, Quoted(name));
-  const std::string message =
+  std::string message =
       fmt::format("unknown {} {}; did you mean {}?", what, Quoted(name), Quoted(NearestName(name, known)));
   if (known.size() > kMostListed) return message;
   return fmt::format("{} (known: {})", message, fmt::join(known, ", "));

@@ -29,6 +29,7 @@ bool IsGroup(const std::vector<OptionEntry>& entries, const std::string& key) {
 [[noreturn]] void ThrowUnknown(const std::vector<OptionEntry>& entries, const std::string& key,
                                const std::string& where) {
   std::vector<std::string> known;
+  known.reserve(entries.size());
   for (const OptionEntry& entry : entries) known.push_back(entry.key);
   throw InputError(fmt::format("{}: {}", where, UnknownNameMessage("option", key, known)));
 }

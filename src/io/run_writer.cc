@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 
 #include "io/number_format.h"
 
@@ -40,10 +40,9 @@ std::string ShapeField(const Eigen::VectorXd& coefficients) {
 
 // Several collinear segments may explain one edge.
 size_t EdgesMatched(const std::vector<EdgeMatch>& matches) {
-  std::vector<int> edges;
-  for (const EdgeMatch& match : matches) edges.push_back(match.edge);
-  std::sort(edges.begin(), edges.end());
-  return static_cast<size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
+  std::set<int> edges;
+  for (const EdgeMatch& match : matches) edges.insert(match.edge);
+  return edges.size();
 }
 
 const CategorySpec& SpecOf(const std::vector<CategoryModel>& models, const std::string& category) {

@@ -43,10 +43,10 @@ struct Sequence {
   std::vector<TimedPose> odometry;                              // the whole file; empty when there is none
 };
 
-// Reads the folder. Throws InputError naming file, line and remedy for everything that is not as documented
-// in datasets/README.md: a missing or malformed file, an unknown key, column or category, a listed image that
-// does not exist, stamps that do not grow, a detection without image, a box outside its image, a score
-// outside 0..1. `categories`: names of the known category models.
+// Reads the folder. Throws InputError naming file, line and remedy for a missing or malformed file, an
+// unknown key, column or category, a listed image that does not exist, stamps that do not grow, a detection
+// without image, a box outside its image, a score outside 0..1, or an odometry that has the stamp of no
+// image. `categories`: names of the known category models.
 Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories);
 
 // The parts of LoadSequence.

@@ -53,7 +53,7 @@ Camera ReadCamera(const YamlMap& map) {
 }
 
 std::string ReadName(const YamlMap& map) {
-  const std::string name = map.Text("name");
+  std::string name = map.Text("name");
   const bool is_plain = !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
   if (!is_plain) {
     throw InputError(

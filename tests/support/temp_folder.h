@@ -31,7 +31,7 @@ class TempFolder {
 
   // Writes (or replaces) a file and returns its path; folders in the name are created.
   std::filesystem::path Write(const std::string& name, const std::string& content) const {
-    const std::filesystem::path file = path_ / name;
+    std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream stream(file, std::ios::binary);
     stream << content;
