@@ -41,19 +41,23 @@ std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected) {
   std::array<ExtremePoint, 4> extremes{};
   extremes[0].pixel = extremes[1].pixel = 1e9;
   extremes[2].pixel = extremes[3].pixel = -1e9;
-  const auto reach = [&](int edge, double s, const Eigen::Vector2d& p) {
-    if (p.x() < extremes[0].pixel) extremes[0] = {edge, s, p.x()};
-    if (p.y() < extremes[1].pixel) extremes[1] = {edge, s, p.y()};
-    if (p.x() > extremes[2].pixel) extremes[2] = {edge, s, p.x()};
-    if (p.y() > extremes[3].pixel) extremes[3] = {edge, s, p.y()};
+  const auto reach = [&](int edge, double s, const Eigen::Vector2d& p, double inverse_z) {
+    if (p.x() < extremes[0].pixel) extremes[0] = {edge, s, p.x(), inverse_z};
+    if (p.y() < extremes[1].pixel) extremes[1] = {edge, s, p.y(), inverse_z};
+    if (p.x() > extremes[2].pixel) extremes[2] = {edge, s, p.x(), inverse_z};
+    if (p.y() > extremes[3].pixel) extremes[3] = {edge, s, p.y(), inverse_z};
   };
   for (size_t i = 0; i < projected.edges.size(); ++i) {
     const ProjectedEdge& edge = projected.edges[i];
     if (edge.length <= 0) continue;
-    reach(static_cast<int>(i), edge.s1, edge.line.p1);
-    reach(static_cast<int>(i), edge.s2, edge.line.p2);
+    reach(static_cast<int>(i), edge.s1, edge.line.p1, edge.inverse_z1);
+    reach(static_cast<int>(i), edge.s2, edge.line.p2, edge.inverse_z2);
   }
   return extremes;
+}
+
+double PaddingPixels(const ExtremePoint& extreme, const Camera& camera, const BoxOptions& options) {
+  return options.padding * camera.fx * extreme.inverse_z;
 }
 
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R) {
@@ -67,7 +71,7 @@ Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wire
 }
 
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
-                                   const Eigen::Matrix3d& R) {
+                                   const Eigen::Matrix3d& R, const BoxOptions& options) {
   const Camera& camera = *view.camera;
   const Box& box = view.detection.box;
   const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
@@ -76,8 +80,8 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
   Eigen::Vector3d T = PrintedTranslation(view, wireframe, R);
   const double start_depth = T.z();
   for (int iteration = 0; iteration < 3; ++iteration) {
-    Eigen::Matrix<double, 5, 3> A;
-    Eigen::Matrix<double, 5, 1> b;
+    Eigen::Matrix<double, 6, 3> A;
+    Eigen::Matrix<double, 6, 1> b;
     const Eigen::ArrayXd z = (ends.row(2).array() + T.z()).max(0.1);
     const Eigen::ArrayXd u = (ends.row(0).array() + T.x()).transpose() / z;
     const Eigen::ArrayXd v = (ends.row(1).array() + T.y()).transpose() / z;
@@ -90,11 +94,21 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
       // An open side still says roughly where the object is: a tenth of the weight keeps the system regular.
       const double weight = sides[static_cast<size_t>(side)] == BoxSide::kSeen ? 1.0 : 0.1;
       A.row(side) << (horizontal ? weight : 0), (horizontal ? 0 : weight), -weight * at;
-      b(side) = weight * (at * ends(2, corner) - ends(horizontal ? 0 : 1, corner));
+      const double padding = side < 2 ? -options.padding : options.padding;
+      b(side) = weight * (at * ends(2, corner) - ends(horizontal ? 0 : 1, corner) - padding);
     }
     const double prior = 1e-3;
     A.row(4) << 0, 0, prior;
     b(4) = prior * start_depth;
+    A.row(5).setZero();
+    b(5) = 0;
+    if (view.floor && view.up_camera && view.model->spec.stands_on_floor) {
+      // up . (T + lowest) = -camera height, weighted against the sides' uncertainty at this depth.
+      const double lowest = (view.up_camera->transpose() * ends).minCoeff();
+      const double weight = 0.03 * box.width / camera.fx * T.z() / view.floor->sigma;
+      A.row(5) = weight * view.up_camera->transpose();
+      b(5) = -weight * (view.floor->camera_height + lowest);
+    }
     T = (A.transpose() * A).ldlt().solve(A.transpose() * b);
     if (!(T.z() > 0.2)) T = PrintedTranslation(view, wireframe, R);
   }

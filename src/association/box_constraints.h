@@ -33,8 +33,12 @@ struct ExtremePoint {
   int edge = -1;  // -1: nothing is projected
   double s = 0;
   double pixel = 0;  // u or v
+  double inverse_z = 0;  // 1/metres
 };
 std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected);
+
+// How many pixels the real object reaches beyond the wireframe there.
+double PaddingPixels(const ExtremePoint& extreme, const Camera& camera, const BoxOptions& options);
 
 // The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R);
@@ -42,6 +46,6 @@ Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wire
 // The translation under which the projection fits the box best, from the sides that are seen; a weak prior keeps the
 // depth near the printed equations' where too few sides are seen to determine it.
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
-                                   const Eigen::Matrix3d& R);
+                                   const Eigen::Matrix3d& R, const BoxOptions& options);
 
 }  // namespace armature

@@ -134,7 +134,8 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
   return azimuths;
 }
 
-std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const HypothesisOptions& options) {
+std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions& box_options,
+                                       const HypothesisOptions& options) {
   std::vector<Hypothesis> hypotheses;
   const std::vector<BoxSides> variants = SideVariants(view, options);
   const std::vector<double> depth_factors = DepthFactors(options);
@@ -146,7 +147,7 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const HypothesisO
         for (const BoxSides& sides : variants) {
           const Eigen::Vector3d T = options.printed_translation
                                         ? PrintedTranslation(view, wireframes[d], R)
-                                        : TranslationFromBox(view, sides, wireframes[d], R);
+                                        : TranslationFromBox(view, sides, wireframes[d], R, box_options);
           for (const double factor : depth_factors) {
             Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), view.model->dictionary[d]}, sides, azimuth};
             hypothesis.start.T_camera_object.linear() = R;
@@ -157,9 +158,11 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const HypothesisO
       }
     }
   }
-  for (const PoseAndShape& seed : view.seeds) {
-    const Viewpoint viewpoint = ViewpointFromRotation(seed.T_camera_object.linear(), seed.T_camera_object.translation());
-    for (const BoxSides& sides : variants) hypotheses.push_back({seed, sides, viewpoint.azimuth});
+  if (view.memory) {
+    const PoseAndShape& expected = view.memory->expected;
+    const Eigen::Isometry3d& T = expected.T_camera_object;
+    const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+    for (const BoxSides& sides : variants) hypotheses.push_back({expected, sides, azimuth});
   }
   return hypotheses;
 }

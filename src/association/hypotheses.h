@@ -36,6 +36,7 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
 std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
                                                  int max_peaks);
 
-std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const HypothesisOptions& options);
+std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions& box_options,
+                                       const HypothesisOptions& options);
 
 }  // namespace armature

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "association/hypothesis_cost.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +13,9 @@ namespace {
 
 double GemanMcClure(double r, double scale) { return r * r / (1 + r * r / (scale * scale)); }
 
-double BoxCost(const Box& box, const BoxSides& sides, const ProjectedWireframe& projected,
+double BoxCost(const ObjectView& view, const BoxSides& sides, const ProjectedWireframe& projected,
                const BoxOptions& box_options, const CostOptions& options) {
+  const Box& box = view.detection.box;
   const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   const std::array<double, 4> at = {box.left(), box.top(), box.right(), box.bottom()};
@@ -21,7 +23,8 @@ double BoxCost(const Box& box, const BoxSides& sides, const ProjectedWireframe& 
   for (size_t side = 0; side < 4; ++side) {
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     // Positive where the projection falls short of the side.
-    const double short_by = (side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) / sigma;
+    const double padding = PaddingPixels(extremes[side], *view.camera, box_options);
+    const double short_by = ((side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) - padding) / sigma;
     if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, options.box_loss_scale);
   }
   return cost;
@@ -33,6 +36,22 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
   const double off = AzimuthDifference(viewpoint.azimuth, *view.detection.azimuth, view.model->spec.symmetry_order) /
                      (options.azimuth_sigma_deg * kDegree);
   return -std::log((1 - options.azimuth_outliers) * std::exp(-0.5 * off * off) + options.azimuth_outliers * 0.1);
+}
+
+double ShapeCost(const ObjectView& view, const Eigen::VectorXd& coefficients) {
+  if (!view.memory) return coefficients.squaredNorm();
+  return ((coefficients - view.memory->expected.coefficients) / view.memory->shape_sigma).squaredNorm();
+}
+
+double MemoryCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object, const CostOptions& options) {
+  if (!view.memory) return 0;
+  const ObjectMemory& memory = *view.memory;
+  const Eigen::Vector3d off = T_camera_object.translation() - memory.expected.T_camera_object.translation();
+  const double squared = off.dot(memory.position_covariance.llt().solve(off));
+  const Eigen::Vector3d front = T_camera_object.linear().col(2);
+  const double yaw = std::atan2(front.dot(memory.yaw_quarter), front.dot(memory.yaw_zero));
+  return options.memory_weight * GemanMcClure(std::sqrt(squared), 3) +
+         std::min(options.yaw_memory_cap, options.azimuth_weight * memory.yaw.At(yaw));
 }
 
 double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
@@ -47,12 +66,23 @@ double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
 
 }  // namespace
 
+double YawBelief::At(double yaw) const {
+  const double position = (WrapAngle(yaw) + M_PI) / (2 * M_PI) * kBins - 0.5;  // bin centres are at whole numbers
+  const double floor = std::floor(position);
+  const auto bin = [&](int offset) {
+    return cost[static_cast<size_t>((static_cast<int>(floor) + offset + kBins) % kBins)];
+  };
+  const double share = position - floor;
+  return (1 - share) * bin(0) + share * bin(1);
+}
+
 double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
                  const ProjectedWireframe& projected, const BoxOptions& box_options, const CostOptions& options) {
   const int opened = static_cast<int>(sides[3] == BoxSide::kOpen && view.sides[3] == BoxSide::kSeen);
-  return options.box_weight * BoxCost(view.detection.box, sides, projected, box_options, options) +
+  return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
-         options.shape_weight * estimate.coefficients.squaredNorm() +
+         options.shape_weight * ShapeCost(view, estimate.coefficients) +
+         MemoryCost(view, estimate.T_camera_object, options) +
          options.floor_weight * FloorCost(view, estimate) + options.open_side_cost * opened;
 }
 

@@ -19,6 +19,8 @@ struct CostOptions {
   double azimuth_weight = 1;           // of the prior's negative log-likelihood
   double shape_weight = 0.15;          // of the squared coefficients
   double floor_weight = 0.5;           // of the squared, robust floor residual
+  double memory_weight = 0.5;          // of the squared, robust distance from the remembered position
+  double yaw_memory_cap = 6;           // the remembered viewpoint priors cost at most this
   double open_side_cost = 0.7;         // for each side that the hypothesis takes to be hidden
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,25 @@ struct PoseAndShape {
   Eigen::VectorXd coefficients;                                       // standard deviations
 };
 
+// What the viewpoint priors of earlier frames say about an object's turn: a cost for each direction that its front may
+// have in the horizontal plane.
+struct YawBelief {
+  static constexpr int kBins = 72;  // of 5 degrees
+  std::array<double, kBins> cost{};  // negative log-likelihood, 0 for the best
+
+  // The cost at a yaw in radians, interpolated between the bins' centres.
+  double At(double yaw) const;
+};
+
+// What earlier frames say about an object that has been seen before.
+struct ObjectMemory {
+  PoseAndShape expected;                  // in this camera; the shape is the average of its earlier views
+  Eigen::Matrix3d position_covariance;    // of the expected translation, camera frame, metres^2
+  double shape_sigma = 1;                 // standard deviation of each coefficient about the expected one
+  YawBelief yaw;                          // of the direction of the object's z axis
+  Eigen::Vector3d yaw_zero, yaw_quarter;  // the horizontal directions of yaw 0 and 90 degrees, unit, camera frame
+};
+
 struct ObjectView {
   const Camera* camera = nullptr;
   const CategoryModel* model = nullptr;
@@ -44,7 +64,7 @@ struct ObjectView {
   std::optional<Eigen::Vector3d> up_camera;  // unit, camera frame; none: take the viewpoint's elevation and tilt
   std::vector<ImageFace> occluders;          // faces of other objects in this image
   std::optional<FloorPrior> floor;
-  std::vector<PoseAndShape> seeds;  // to try besides those that the box suggests, e.g. from the image before
+  std::optional<ObjectMemory> memory;
 };
 
 }  // namespace armature

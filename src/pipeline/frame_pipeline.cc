@@ -39,7 +39,9 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       categories_(std::move(categories)),
       up_odom_(up_odom),
       detector_(MakeLineDetector(options_.lines)),
-      up_estimator_(options_.up) {}
+      up_estimator_(options_.up),
+      floor_(options_.floor),
+      tracks_(options_.tracks) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
   FrameResult result;
@@ -54,25 +56,46 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
     up = UpOf(input, result.segments);
     result.up_camera = up.up_camera;
     result.up_sigma = up.sigma;
+    result.floor = floor_.Predict(input.timestamp);
   }
-  result.observations.resize(input.detections.size());
+  std::vector<ObjectView> views;
+  for (const Detection& detection : input.detections) views.push_back(ViewOf(detection, result.segments, up));
+  const bool remembers = options_.tracks.enabled && input.T_odom_camera;
+  std::vector<int> tracks(views.size(), -1);
+  if (remembers) {
+    const StageClock clock(result.times.mapping);
+    tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
+    for (size_t i = 0; i < views.size(); ++i) views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera);
+  }
+  result.observations.resize(views.size());
+  std::vector<ObjectEstimation> estimations(views.size());
   std::vector<ImageFace> occluders;
   for (const size_t i : LargestFirst(input.detections)) {
     EstimatorTimes times;
-    ObjectView view = ViewOf(input.detections[i], result.segments, up);
-    view.occluders = occluders;
-    const ObjectEstimation estimation = EstimateObject(view, options_.association, options_.resection, times);
+    views[i].occluders = occluders;
+    views[i].floor = result.floor;
+    ObjectEstimation& estimation = estimations[i];
+    estimation = EstimateObject(views[i], options_.association, options_.resection, times);
     result.observations[i] = {input.detections[i], estimation.initial.T_camera_object, estimation.initial.coefficients,
                               estimation.estimate};
     result.times.association += times.association_ms;
     result.times.optimization += times.optimization_ms;
     if (options_.association.occlusion && estimation.estimate.status == EstimateStatus::kOk) {
-      const Wireframe wireframe = WireframeFromCoefficients(*view.model, estimation.estimate.coefficients);
-      for (ImageFace& face : ProjectFaces(camera_, view.model->spec, wireframe, estimation.estimate.T_camera_object)) {
+      const CategoryModel& model = *views[i].model;
+      const Wireframe wireframe = WireframeFromCoefficients(model, estimation.estimate.coefficients);
+      for (ImageFace& face : ProjectFaces(camera_, model.spec, wireframe, estimation.estimate.T_camera_object)) {
         occluders.push_back(std::move(face));
       }
     }
   }
+  const StageClock clock(result.times.mapping);
+  LearnUp(result);
+  for (size_t i = 0; i < views.size(); ++i) {
+    if (estimations[i].estimate.status != EstimateStatus::kOk) continue;
+    floor_.Learn(estimations[i], *views[i].model, up.up_camera);
+    if (remembers) tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
+  }
+  if (remembers) tracks_.Update(input.timestamp);
   return result;
 }
 
@@ -81,7 +104,25 @@ UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segmen
   if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
-  return up_estimator_.Update(camera_, segments, input.detections, input.T_odom_camera);
+  std::vector<UpVote> votes;
+  for (const Detection& detection : input.detections) {
+    const BoxSides sides = SidesAtImageBorder(detection.box, camera_, options_.association.box.cut_tolerance);
+    const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
+    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
+    const auto vote = VoteOf(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
+    if (vote) votes.push_back(*vote);
+  }
+  return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
+}
+
+void FramePipeline::LearnUp(const FrameResult& result) {
+  std::vector<UpVote> votes;
+  for (const ObjectObservation& observation : result.observations) {
+    const auto vote = VoteOf(observation.detection, observation.estimate.T_camera_object.translation(),
+                             options_.up.viewpoint_sigma_deg);
+    if (vote) votes.push_back(*vote);
+  }
+  up_estimator_.ReviseVotes(votes);
 }
 
 ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<Segment>& segments,

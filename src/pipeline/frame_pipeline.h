@@ -10,6 +10,7 @@
 #include "category/category_model.h"
 #include "geometry/camera.h"
 #include "lines/line_detector.h"
+#include "pipeline/floor_height.h"
 #include "pipeline/frame_result.h"
 #include "pipeline/options.h"
 #include "pipeline/up_direction.h"
@@ -36,6 +37,7 @@ class FramePipeline {
 
  private:
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
+  void LearnUp(const FrameResult& result);
   ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments, const UpEstimate& up) const;
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
@@ -46,6 +48,8 @@ class FramePipeline {
   std::optional<Eigen::Vector3d> up_odom_;
   std::unique_ptr<LineDetector> detector_;
   UpEstimator up_estimator_;
+  FloorHeight floor_;
+  ObjectTracks tracks_;
 };
 
 }  // namespace armature

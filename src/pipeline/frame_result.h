@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "association/detection.h"
+#include "association/object_view.h"
 #include "geometry/segment.h"
 #include "resection/object_estimate.h"
 
@@ -33,6 +33,7 @@ struct FrameResult {
   std::vector<ObjectObservation> observations;  // in the order of the detections
   Eigen::Vector3d up_camera{0, -1, 0};          // unit, camera frame
   double up_sigma = 1;                          // radians, standard deviation; 0: given by the sequence
+  std::optional<FloorPrior> floor;                // what was assumed of the camera's height for this frame
   StageTimes times;
 };
 

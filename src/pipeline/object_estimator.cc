@@ -57,7 +57,7 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
   const MatchGate gate = GateOfRound(view, options, 0);
   ProjectedWireframe scratch;
   std::vector<Candidate> candidates;
-  for (Hypothesis& hypothesis : MakeHypotheses(view, options.hypotheses)) {
+  for (Hypothesis& hypothesis : MakeHypotheses(view, options.box, options.hypotheses)) {
     Candidate candidate;
     candidate.cost = options.cost == "printed" ? PrintedCost(view, hypothesis.start, options, scratch)
                                                : CoverageCost(view, hypothesis, hypothesis.start, gate, options, scratch);
@@ -154,6 +154,26 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
   return matches.empty() ? 0 : std::sqrt(sum / static_cast<double>(matches.size()));
 }
 
+void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
+             const ResectionOptions& resection, ObjectEstimation& result) {
+  ObjectView alone = view;
+  alone.memory.reset();
+  alone.floor.reset();
+  const BoxSides& sides = best.hypothesis.sides;
+  ProjectedWireframe projected;
+  result.measured = best.estimate;
+  for (int round = 0; round < 2; ++round) {
+    Project(alone, result.measured, sides, projected);
+    const ResectionResult resected =
+        Resect(alone, sides, best.matches, projected, result.measured, association.box, resection);
+    if (!resected.finite) break;
+    result.measured = resected.estimate;
+  }
+  Project(alone, result.measured, sides, projected);
+  result.measured_covariance =
+      PoseCovariance(alone, sides, best.matches, projected, result.measured, association.box, resection);
+}
+
 }  // namespace
 
 ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,
@@ -171,6 +191,7 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   ProjectedWireframe projected;
   Project(view, best->estimate, best->hypothesis.sides, projected);
   ObjectEstimation result;
+  Measure(view, *best, association, resection, result);
   result.initial = best->hypothesis.start;
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;

@@ -20,7 +20,30 @@ void AddUpOptions(UpOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("up.cone_deg", &o.cone_deg, "a segment this near to vertical may vote, degrees", 1, 45));
   t.push_back(Option("up.segment_sigma_deg", &o.segment_sigma_deg, "of a vertical segment's plane, degrees", 0.01, 20));
   t.push_back(Option("up.viewpoint_sigma_deg", &o.viewpoint_sigma_deg, "of a prior's elevation and tilt, degrees", 0.1, 60));
+  t.push_back(Option("up.open_box_sigma_deg", &o.open_box_sigma_deg, "the same where the box is cut, degrees", 0.1, 90));
   t.push_back(Option("up.level_sigma_deg", &o.level_sigma_deg, "of a level camera, degrees", 0.1, 90));
+}
+
+void AddFloorOptions(FloorOptions& o, std::vector<OptionEntry>& t) {
+  t.push_back(Option("floor.enabled", &o.enabled, "furniture shares a floor"));
+  t.push_back(Option("floor.initial_height", &o.initial_height, "of the camera before anything is seen, metres", 0, 100));
+  t.push_back(Option("floor.initial_sigma", &o.initial_sigma, "of the initial height, metres", 0.001, 100));
+  t.push_back(Option("floor.drift", &o.drift, "of the camera's height, metres per square root of a second", 0, 10));
+  t.push_back(Option("floor.size_sigma", &o.size_sigma, "of furniture's size about its reference, share", 0, 1));
+  t.push_back(Option("floor.min_sigma", &o.min_sigma, "the height is never surer, metres", 0.001, 10));
+}
+
+void AddTrackOptions(TrackOptions& o, std::vector<OptionEntry>& t) {
+  t.push_back(Option("tracks.enabled", &o.enabled, "objects seen before are expected where they were"));
+  t.push_back(Option("tracks.fading", &o.fading, "weight of earlier frames with each new one", 0.1, 1));
+  t.push_back(Option("tracks.measurement_scale", &o.measurement_scale, "multiplies resection's standard deviations", 0.1, 100));
+  t.push_back(Option("tracks.depth_sigma", &o.depth_sigma, "of one view's depth, share of the distance", 0, 1));
+  t.push_back(Option("tracks.min_sigma", &o.min_sigma, "a remembered position is never surer, metres", 0.001, 10));
+  t.push_back(Option("tracks.min_relative_sigma", &o.min_relative_sigma, "nor surer than this share of the distance", 0, 1));
+  t.push_back(Option("tracks.vote_weight", &o.vote_weight, "of one viewpoint prior", 0, 1));
+  t.push_back(Option("tracks.min_observations", &o.min_observations, "before a track is used", 1, 1000));
+  t.push_back(Option("tracks.max_gap", &o.max_gap, "unseen, before a track is dropped, seconds", 0, 1e6));
+  t.push_back(Option("tracks.scale_sigma", &o.scale_sigma, "of the prior on the odometry's scale about 1", 0.01, 1e6));
 }
 
 void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
@@ -49,6 +72,8 @@ void AddCostOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.azimuth_weight", &c.azimuth_weight, "of the prior's negative log-likelihood", 0, 1000));
   t.push_back(Option("association.shape_weight", &c.shape_weight, "of the squared shape coefficients", 0, 1000));
   t.push_back(Option("association.floor_weight", &c.floor_weight, "of the squared floor residual", 0, 1000));
+  t.push_back(Option("association.memory_weight", &c.memory_weight, "of the squared distance from the remembered position", 0, 1000));
+  t.push_back(Option("association.yaw_memory_cap", &c.yaw_memory_cap, "the remembered viewpoint priors cost at most this", 0, 1000));
   t.push_back(Option("association.open_side_cost", &c.open_side_cost, "of taking a side of the box to be hidden", 0, 1000));
 }
 
@@ -58,6 +83,7 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.cut_tolerance", &o.box.cut_tolerance, "a side this near the border is cut, share of the box", 0, 0.5));
   t.push_back(Option("association.box_sigma", &o.box.sigma, "of a box's side, share of the box", 0.001, 1));
   t.push_back(Option("association.box_sigma_pixels", &o.box.sigma_pixels, "of a box's side, added, pixels", 0, 100));
+  t.push_back(Option("association.box_padding", &o.box.padding, "the real object's reach beyond its wireframe, metres", 0, 1));
   t.push_back(Option("association.refined_hypotheses", &o.refined_hypotheses, "best hypotheses that go on to resection", 1, 1000));
   t.push_back(Option("association.rounds", &o.rounds, "of association and resection each", 1, 100));
   t.push_back(Option("association.search_gate", &o.search_gate, "distance gate of the search, share of the box's diagonal", 0.001, 1));
@@ -91,6 +117,8 @@ std::vector<OptionEntry> OptionTable(Options& options) {
   std::vector<OptionEntry> table;
   AddLineOptions(options.lines, table);
   AddUpOptions(options.up, table);
+  AddFloorOptions(options.floor, table);
+  AddTrackOptions(options.tracks, table);
   AddAssociationOptions(options.association, table);
   AddResectionOptions(options.resection, table);
   return table;

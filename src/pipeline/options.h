@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "lines/line_detector.h"
+#include "pipeline/floor_height.h"
 #include "pipeline/object_estimator.h"
+#include "pipeline/object_tracks.h"
 #include "pipeline/option_entry.h"
 #include "pipeline/up_direction.h"
 
@@ -14,6 +16,8 @@ namespace armature {
 struct Options {
   LineOptions lines;
   UpOptions up;
+  FloorOptions floor;
+  TrackOptions tracks;
   AssociationOptions association;
   ResectionOptions resection;
 };

@@ -21,43 +21,43 @@ Eigen::Matrix3d DirectionInformation(const Eigen::Vector3d& direction, double si
 
 }  // namespace
 
+std::optional<UpVote> VoteOf(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg) {
+  if (!detection.elevation || !detection.tilt) return std::nullopt;
+  const Viewpoint viewpoint{0, *detection.elevation, *detection.tilt};
+  return UpVote{RotationFromViewpoint(viewpoint, ray).col(1), sigma_deg * kDegree};
+}
+
 UpEstimator::FrameEvidence UpEstimator::Observe(const Camera& camera, const std::vector<Segment>& segments,
-                                                const std::vector<Detection>& detections,
                                                 const Eigen::Matrix3d& R_odom_camera) const {
   FrameEvidence evidence;
+  evidence.R_odom_camera = R_odom_camera;
   const size_t count = std::min(segments.size(), static_cast<size_t>(options_.segments_per_frame));
   for (size_t i = 0; i < count; ++i) {  // the longest come first
     const Eigen::Vector3d normal = camera.Ray(segments[i].p1).cross(camera.Ray(segments[i].p2));
     evidence.plane_normals.push_back(R_odom_camera * normal.normalized());
     evidence.weights.push_back(std::min(1.0, segments[i].length() / 100));
   }
-  for (const Detection& detection : detections) {
-    if (!detection.elevation || !detection.tilt) continue;
-    const Viewpoint viewpoint{0, *detection.elevation, *detection.tilt};
-    const Eigen::Matrix3d R = RotationFromViewpoint(viewpoint, camera.Ray(detection.box.center()));
-    evidence.viewpoint_ups.push_back(R_odom_camera * R.col(1));
-  }
-  evidence.level_up = R_odom_camera * Eigen::Vector3d(0, -1, 0);
   return evidence;
+}
+
+void UpEstimator::ReviseVotes(const std::vector<UpVote>& votes) {
+  if (window_.empty()) return;
+  FrameEvidence& frame = window_.back();
+  frame.votes = {{frame.R_odom_camera * Eigen::Vector3d(0, -1, 0), options_.level_sigma_deg * kDegree}};
+  for (const UpVote& vote : votes) frame.votes.push_back({frame.R_odom_camera * vote.up_camera, vote.sigma});
 }
 
 // The robust mean of what viewpoints and the level camera say.
 Eigen::Vector3d UpEstimator::RoughUp() const {
-  const double viewpoint_sigma = options_.viewpoint_sigma_deg * kDegree, level_sigma = options_.level_sigma_deg * kDegree;
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  for (const FrameEvidence& frame : window_) {
-    up += frame.level_up / (level_sigma * level_sigma);
-    for (const Eigen::Vector3d& vote : frame.viewpoint_ups) up += vote / (viewpoint_sigma * viewpoint_sigma);
-  }
-  up.normalize();
-  for (int iteration = 0; iteration < 5; ++iteration) {
+  for (int iteration = 0; iteration < 6; ++iteration) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const FrameEvidence& frame : window_) {
-      const auto add = [&](const Eigen::Vector3d& vote, double sigma) {
-        sum += RobustWeight(std::acos(std::clamp(up.dot(vote), -1.0, 1.0)) / sigma) / (sigma * sigma) * vote;
-      };
-      add(frame.level_up, level_sigma);
-      for (const Eigen::Vector3d& vote : frame.viewpoint_ups) add(vote, viewpoint_sigma);
+      for (const UpVote& vote : frame.votes) {
+        // The first time every vote counts in full.
+        const double angle = iteration == 0 ? 0 : std::acos(std::clamp(up.dot(vote.up_camera), -1.0, 1.0));
+        sum += RobustWeight(angle / vote.sigma) / (vote.sigma * vote.sigma) * vote.up_camera;
+      }
     }
     up = sum.normalized();
   }
@@ -65,22 +65,22 @@ Eigen::Vector3d UpEstimator::RoughUp() const {
 }
 
 UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>& segments,
-                               const std::vector<Detection>& detections,
+                               const std::vector<UpVote>& votes,
                                const std::optional<Eigen::Isometry3d>& T_odom_camera) {
   if (!T_odom_camera) window_.clear();
   Eigen::Matrix3d R_odom_camera = Eigen::Matrix3d::Identity();
   if (T_odom_camera) R_odom_camera = T_odom_camera->linear();
-  window_.push_back(Observe(camera, segments, detections, R_odom_camera));
+  window_.push_back(Observe(camera, segments, R_odom_camera));
+  ReviseVotes(votes);
   if (window_.size() > static_cast<size_t>(options_.window_frames)) window_.pop_front();
 
   const Eigen::Vector3d rough = RoughUp();
-  size_t votes = 0;
-  for (const FrameEvidence& frame : window_) votes += frame.viewpoint_ups.size();
+  double vote_information = 0;
+  for (const FrameEvidence& frame : window_) {
+    for (const UpVote& vote : frame.votes) vote_information += 1 / (vote.sigma * vote.sigma);
+  }
   // The rough direction's own uncertainty; correlated errors keep it from falling below a degree.
-  const double viewpoint_sigma = options_.viewpoint_sigma_deg * kDegree;
-  const double rough_sigma =
-      votes > 0 ? std::max(1 * kDegree, viewpoint_sigma / std::sqrt(static_cast<double>(votes)))
-                : options_.level_sigma_deg * kDegree;
+  const double rough_sigma = std::max(1 * kDegree, 1 / std::sqrt(vote_information));
   Eigen::Vector3d up = rough;
   Eigen::Matrix3d information;
   double cone = std::min(options_.cone_deg * kDegree, 3 * rough_sigma + 2 * kDegree);

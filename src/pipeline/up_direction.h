@@ -15,11 +15,12 @@ namespace armature {
 
 struct UpOptions {
   std::string source = "auto";       // "auto": the sequence's where given, else estimated; "estimate"; "level"
-  int window_frames = 60;            // frames whose evidence is kept
-  int segments_per_frame = 60;       // the longest
+  int window_frames = 120;           // frames whose evidence is kept
+  int segments_per_frame = 40;       // the longest
   double cone_deg = 20;              // degrees: a segment may be vertical if its plane holds a direction this near
   double segment_sigma_deg = 0.7;    // degrees: of a vertical segment's plane
   double viewpoint_sigma_deg = 5;    // degrees: of one detection's elevation and tilt
+  double open_box_sigma_deg = 15;    // degrees: the same where the box may not show the whole object
   double level_sigma_deg = 20;       // degrees: of the assumption of a level camera, in each frame
 };
 
@@ -27,6 +28,15 @@ struct UpEstimate {
   Eigen::Vector3d up_camera{0, -1, 0};  // unit, camera frame
   double sigma = 1;                     // radians, standard deviation as estimated
 };
+
+// One detection's elevation and tilt say where up is, if the ray that they are measured about is known.
+struct UpVote {
+  Eigen::Vector3d up_camera{0, -1, 0};  // unit, camera frame
+  double sigma = 1;                     // radians
+};
+
+// The vote of a detection whose object lies along the ray (camera frame), if it has elevation and tilt.
+std::optional<UpVote> VoteOf(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg);
 
 // Three kinds of evidence, each seldom wrong where another is: the detections' elevations and tilts say where up is to a
 // few degrees each, the vertical segments say it precisely once it is roughly known (their planes through the camera
@@ -37,18 +47,22 @@ class UpEstimator {
   explicit UpEstimator(const UpOptions& options) : options_(options) {}
 
   // `T_odom_camera` missing: what the earlier frames said cannot be used and is forgotten.
-  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments,
-                    const std::vector<Detection>& detections, const std::optional<Eigen::Isometry3d>& T_odom_camera);
+  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments, const std::vector<UpVote>& votes,
+                    const std::optional<Eigen::Isometry3d>& T_odom_camera);
+
+  // Replaces the last frame's votes: once an object's pose is known, so is the ray to its centre, which the centre of a
+  // box that shows only part of the object is not (off by 10 degrees in elevation where furniture hides furniture).
+  void ReviseVotes(const std::vector<UpVote>& votes);
 
  private:
   struct FrameEvidence {                       // all in the frame of the odometry, unit
     std::vector<Eigen::Vector3d> plane_normals;  // of segments' planes through the camera
     std::vector<double> weights;                 // of those, 0..1, by length
-    std::vector<Eigen::Vector3d> viewpoint_ups;
-    Eigen::Vector3d level_up;
+    std::vector<UpVote> votes;                   // level camera first
+    Eigen::Matrix3d R_odom_camera;
   };
   FrameEvidence Observe(const Camera& camera, const std::vector<Segment>& segments,
-                        const std::vector<Detection>& detections, const Eigen::Matrix3d& R_odom_camera) const;
+                        const Eigen::Matrix3d& R_odom_camera) const;
   Eigen::Vector3d RoughUp() const;
 
   UpOptions options_;

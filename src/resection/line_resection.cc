@@ -57,12 +57,13 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
   const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   // Signed so that the distance is positive where the projection falls short of the side.
-  const std::array<Eigen::Vector3d, 4> lines = {
+  std::array<Eigen::Vector3d, 4> lines = {
       Eigen::Vector3d(1, 0, -box.left()), Eigen::Vector3d(0, 1, -box.top()), Eigen::Vector3d(-1, 0, box.right()),
       Eigen::Vector3d(0, -1, box.bottom())};
   for (size_t side = 0; side < 4; ++side) {
     if (extremes[side].edge < 0) continue;
     const ShapePoint point = PointOnEdge(*problem.model, extremes[side].edge, extremes[side].s);
+    lines[side].z() -= PaddingPixels(extremes[side], *view.camera, box_options);
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     problem.line_terms.push_back({point, lines[side], options.box_weight / sigma, options.box_loss_scale,
                                   sides[side] == BoxSide::kOpen});
@@ -87,6 +88,22 @@ void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProble
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 
+// Where the object was expected: three planes through the remembered centre, along the axes of its uncertainty.
+void AddMemory(const ObjectView& view, ResectionProblem& problem) {
+  if (!view.memory) return;
+  const ObjectMemory& memory = *view.memory;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(memory.position_covariance);
+  const ShapePoint center{Eigen::Vector3d::Zero(), ShapeJacobian::Zero(3, problem.Modes())};
+  const Eigen::Vector3d expected = memory.expected.T_camera_object.translation();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = axes.eigenvectors().col(i);
+    const double sigma = std::sqrt(std::max(axes.eigenvalues()(i), 1e-8));
+    problem.plane_terms.push_back({center, axis, -axis.dot(expected), 1 / sigma, 3.0});
+  }
+  problem.expected_shape = memory.expected.coefficients;
+  problem.shape_weight /= memory.shape_sigma;
+}
+
 ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
                              const ProjectedWireframe& projected, const PoseAndShape& start,
                              const BoxOptions& box_options, const ResectionOptions& options) {
@@ -96,6 +113,7 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, cons
   problem.R0 = start.T_camera_object.linear();
   problem.T0 = start.T_camera_object.translation();
   problem.shape_weight = options.shape_weight;
+  problem.expected_shape = Eigen::VectorXd::Zero(problem.Modes());
   if (view.up_camera) {
     problem.normal_term = NormalTermFromName(options.normal_term);
     problem.up_camera = *view.up_camera;
@@ -107,6 +125,7 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, cons
   AddMatches(matches, projected, options, problem);
   AddBox(view, sides, projected, box_options, options, problem);
   AddFloor(view, start, problem);
+  AddMemory(view, problem);
   return problem;
 }
 

@@ -162,7 +162,7 @@ bool ResectionProblem::operator()(const double* parameters, double* residuals, d
   }
   Eigen::Map<Eigen::Vector3d>(residuals + row) = NormalRows(*this, state, row, J_or_null);
   row += 3;
-  Eigen::Map<Eigen::VectorXd>(residuals + row, Modes()) = shape_weight * state.lambda;
+  Eigen::Map<Eigen::VectorXd>(residuals + row, Modes()) = shape_weight * (state.lambda - expected_shape);
   if (jacobian) {
     J.bottomRows(Modes()).setZero();
     J.bottomRightCorner(Modes(), Modes()).diagonal().setConstant(shape_weight);

@@ -76,6 +76,7 @@ struct ResectionProblem {
   Eigen::Vector3d up_camera{0, -1, 0};  // unit
   double up_weight = 0;                 // 1 / radians
   double shape_weight = 1;              // of each coefficient in standard deviations
+  Eigen::VectorXd expected_shape;       // B, the coefficients that the regulariser pulls towards
   // Which unknowns may move; the paper alternates between pose and shape.
   bool pose_is_free = true;
   bool shape_is_free = true;
