@@ -25,6 +25,26 @@ BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tol
           side(box.bottom() > camera.height - 1 - dy)};
 }
 
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others, const BoxOptions& options) {
+  std::array<double, 4> probability = {0, 0, 0, options.hidden_probability};
+  // A strip just beyond each side, a fifth of the box deep.
+  const double dx = 0.2 * box.width, dy = 0.2 * box.height;
+  const std::array<Box, 4> beyond = {Box{box.left() - dx, box.top(), dx, box.height},
+                                     Box{box.left(), box.top() - dy, box.width, dy},
+                                     Box{box.right(), box.top(), dx, box.height},
+                                     Box{box.left(), box.bottom(), box.width, dy}};
+  for (const size_t side : {0, 2, 3}) {  // nothing hangs from above
+    for (const Box& other : others) {
+      // The other box must also reach into this one, else it is beside it.
+      const bool overlaps = Intersection(other, box).area() > 0.1 * box.area();
+      if (overlaps && Intersection(other, beyond[side]).area() > 0.6 * beyond[side].area()) {
+        probability[side] = options.hidden_behind_probability;
+      }
+    }
+  }
+  return probability;
+}
+
 std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options) {
   return {options.sigma * box.width + options.sigma_pixels, options.sigma * box.height + options.sigma_pixels};
 }

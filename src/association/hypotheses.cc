@@ -55,12 +55,17 @@ std::vector<Eigen::Matrix3d> Rotations(const ObjectView& view, double azimuth, c
   return rotations;
 }
 
+// The box as it is, with its bottom hidden, with each other side hidden that may be, and with all of those.
 std::vector<BoxSides> SideVariants(const ObjectView& view, const HypothesisOptions& options) {
   std::vector<BoxSides> variants = {view.sides};
-  if (options.hidden_bottom && view.sides[3] == BoxSide::kSeen) {
+  if (!options.hidden_sides) return variants;
+  BoxSides all = view.sides;
+  for (size_t side = 0; side < 4; ++side) {
+    if (view.sides[side] == BoxSide::kOpen || view.hidden_probability[side] <= 0) continue;
     variants.push_back(view.sides);
-    variants.back()[3] = BoxSide::kOpen;
+    variants.back()[side] = all[side] = BoxSide::kOpen;
   }
+  if (variants.size() > 2) variants.push_back(all);
   return variants;
 }
 

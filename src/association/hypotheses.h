@@ -17,7 +17,7 @@ struct HypothesisOptions {
   double tilt_spread_deg = 0;        // degrees, likewise
   double angle_step_deg = 8;         // degrees, of elevation and tilt
   double depth_factor = 1.25;        // the box's depth is also tried divided and multiplied by this; 1: not
-  bool hidden_bottom = true;         // also try that the box's bottom is where something hides the object
+  bool hidden_sides = true;          // also try that a side of the box is where something hides the object
   bool printed_translation = false;  // the paper's equations instead of all sides of the box
 };
 

@@ -30,6 +30,17 @@ double BoxCost(const ObjectView& view, const BoxSides& sides, const ProjectedWir
   return cost;
 }
 
+// Of taking sides of the box to be hidden or not, where the image's border does not decide.
+double HiddenCost(const ObjectView& view, const BoxSides& sides) {
+  double cost = 0;
+  for (size_t side = 0; side < 4; ++side) {
+    const double p = view.hidden_probability[side];
+    if (view.sides[side] == BoxSide::kOpen || p <= 0) continue;
+    cost -= std::log(sides[side] == BoxSide::kOpen ? p : 1 - p);
+  }
+  return cost;
+}
+
 double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object, const CostOptions& options) {
   if (!view.detection.azimuth) return 0;
   const Viewpoint viewpoint = ViewpointFromRotation(T_camera_object.linear(), T_camera_object.translation());
@@ -78,12 +89,11 @@ double YawBelief::At(double yaw) const {
 
 double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
                  const ProjectedWireframe& projected, const BoxOptions& box_options, const CostOptions& options) {
-  const int opened = static_cast<int>(sides[3] == BoxSide::kOpen && view.sides[3] == BoxSide::kSeen);
   return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
          options.shape_weight * ShapeCost(view, estimate.coefficients) +
          MemoryCost(view, estimate.T_camera_object, options) +
-         options.floor_weight * FloorCost(view, estimate) + options.open_side_cost * opened;
+         options.floor_weight * FloorCost(view, estimate) + HiddenCost(view, sides);
 }
 
 double LineCost(const ObjectView& view, const ProjectedWireframe& projected, double covered_length,

@@ -21,7 +21,6 @@ struct CostOptions {
   double floor_weight = 0.5;           // of the squared, robust floor residual
   double memory_weight = 0.5;          // of the squared, robust distance from the remembered position
   double yaw_memory_cap = 6;           // the remembered viewpoint priors cost at most this
-  double open_side_cost = 0.7;         // for each side that the hypothesis takes to be hidden
 };
 
 // Everything but the lines. `projected` is clipped to the hypothesis's ClipBox.

@@ -60,6 +60,7 @@ struct ObjectView {
   const CategoryModel* model = nullptr;
   Detection detection;
   BoxSides sides{};               // of the detection's box
+  std::array<double, 4> hidden_probability{};  // that something else hides the object beyond each side of its box
   std::vector<Segment> segments;  // undistorted pixels, inside the grown box
   std::optional<Eigen::Vector3d> up_camera;  // unit, camera frame; none: take the viewpoint's elevation and tilt
   std::vector<ImageFace> occluders;          // faces of other objects in this image

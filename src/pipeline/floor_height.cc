@@ -13,10 +13,14 @@ double CameraHeightAbove(const Wireframe& wireframe, const Eigen::Isometry3d& T_
   return -(lowest + up_camera.dot(T_camera_object.translation()));
 }
 
-std::optional<FloorPrior> FloorHeight::Predict(double timestamp) {
+std::optional<FloorPrior> FloorHeight::Predict(double timestamp, std::optional<double> climb) {
   if (!options_.enabled) return std::nullopt;
   if (last_timestamp_) {
-    const double drift = options_.drift * std::sqrt(std::max(0.0, timestamp - *last_timestamp_));
+    const double passed = std::sqrt(std::max(0.0, timestamp - *last_timestamp_));
+    // Even a climb that is known leaves slow errors: of the up direction, of the scale.
+    const double drift = climb ? std::hypot(options_.climb_error * *climb, 0.2 * options_.drift * passed)
+                               : options_.drift * passed;
+    height_ += climb.value_or(0);
     sigma_ = std::min(options_.initial_sigma, std::hypot(sigma_, drift));
   }
   last_timestamp_ = timestamp;

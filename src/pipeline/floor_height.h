@@ -18,7 +18,8 @@ struct FloorOptions {
   bool enabled = true;
   double initial_height = 1.4;    // metres: a camera held or flown by people in rooms, before anything is seen
   double initial_sigma = 0.4;     // metres
-  double drift = 0.1;             // metres per square root of a second, of the camera's height
+  double drift = 0.1;             // metres per square root of a second: of the height where the odometry cannot tell
+  double climb_error = 0.15;      // share of the climb that the odometry tells, with the scale as the objects give it
   double size_sigma = 0.07;       // share: furniture is this much larger or smaller than its category's reference
   double min_sigma = 0.03;        // metres: never surer than this
 };
@@ -28,8 +29,9 @@ class FloorHeight {
   explicit FloorHeight(const FloorOptions& options)
       : options_(options), height_(options.initial_height), sigma_(options.initial_sigma) {}
 
-  // The prior for a frame at this time.
-  std::optional<FloorPrior> Predict(double timestamp);
+  // The prior for a frame at this time. `climb`: how far the camera rose since the last frame, metres; none where the
+  // odometry or its scale is not known.
+  std::optional<FloorPrior> Predict(double timestamp, std::optional<double> climb);
 
   // What an accepted estimate in that frame says; objects that do not stand on the floor say nothing.
   void Learn(const ObjectEstimation& estimation, const CategoryModel& model, const Eigen::Vector3d& up_camera);

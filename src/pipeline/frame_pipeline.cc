@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "geometry/rotation.h"
 #include "lines/selection.h"
@@ -56,10 +57,11 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
     up = UpOf(input, result.segments);
     result.up_camera = up.up_camera;
     result.up_sigma = up.sigma;
-    result.floor = floor_.Predict(input.timestamp);
+    result.floor = floor_.Predict(input.timestamp, ClimbSinceLastFrame(input, up));
   }
   std::vector<ObjectView> views;
   for (const Detection& detection : input.detections) views.push_back(ViewOf(detection, result.segments, up));
+  MarkHiddenSides(views);
   const bool remembers = options_.tracks.enabled && input.T_odom_camera;
   std::vector<int> tracks(views.size(), -1);
   if (remembers) {
@@ -91,12 +93,32 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
   const StageClock clock(result.times.mapping);
   LearnUp(result);
   for (size_t i = 0; i < views.size(); ++i) {
-    if (estimations[i].estimate.status != EstimateStatus::kOk) continue;
+    const ObjectEstimate& estimate = estimations[i].estimate;
+    if (estimate.status != EstimateStatus::kOk || MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
     floor_.Learn(estimations[i], *views[i].model, up.up_camera);
     if (remembers) tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
   }
   if (remembers) tracks_.Update(input.timestamp);
   return result;
+}
+
+void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
+  for (size_t i = 0; i < views.size(); ++i) {
+    std::vector<Box> others;
+    for (size_t j = 0; j < views.size(); ++j) {
+      if (j != i) others.push_back(views[j].detection.box);
+    }
+    views[i].hidden_probability =
+        HiddenProbabilities(views[i].detection.box, others, options_.association.box);
+  }
+}
+
+std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
+  const std::optional<Eigen::Isometry3d> last = std::exchange(last_T_odom_camera_, input.T_odom_camera);
+  const std::optional<double> scale = tracks_.Scale();
+  if (!last || !input.T_odom_camera || !scale) return std::nullopt;
+  const Eigen::Vector3d up_odom = input.T_odom_camera->linear() * up.up_camera;
+  return *scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
 
 UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {

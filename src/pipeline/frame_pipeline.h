@@ -37,6 +37,8 @@ class FramePipeline {
 
  private:
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
+  std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
+  void MarkHiddenSides(std::vector<ObjectView>& views) const;
   void LearnUp(const FrameResult& result);
   ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments, const UpEstimate& up) const;
   const CategoryModel& ModelOf(const Detection& detection) const;
@@ -50,6 +52,7 @@ class FramePipeline {
   UpEstimator up_estimator_;
   FloorHeight floor_;
   ObjectTracks tracks_;
+  std::optional<Eigen::Isometry3d> last_T_odom_camera_;
 };
 
 }  // namespace armature

@@ -128,13 +128,6 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
                    LineCost(view, projected, matching.covered_length, options.coverage);
 }
 
-int MatchedEdges(const std::vector<EdgeMatch>& matches) {
-  std::vector<int> edges;
-  for (const EdgeMatch& match : matches) edges.push_back(match.edge);
-  std::sort(edges.begin(), edges.end());
-  return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
-}
-
 EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
                      const AssociationOptions& options) {
   if (!candidate.finite || candidate.estimate.coefficients.norm() > 10) return EstimateStatus::kDiverged;

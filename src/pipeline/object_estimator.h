@@ -24,7 +24,7 @@ struct AssociationOptions {
   double diverse_azimuth_deg = 10; // degrees: hypotheses closer than this in azimuth and
   double diverse_depth = 0.1;      // this share in depth are the same; only the better is refined
   int max_segments = 80;           // the longest in the box
-  int min_edges = 3;               // matched edges, fewer are too few
+  int min_edges = 2;               // matched edges, fewer are too few
   bool occlusion = true;           // objects already found in the image hide those behind them
 };
 

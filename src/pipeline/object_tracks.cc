@@ -137,7 +137,9 @@ void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view, co
   const bool known = track.observations >= options_.min_observations;
   const double distance = known ? ExpectedTranslation(track, T_odom_camera).norm() : t.norm();
   const double depth_sigma = options_.depth_sigma * distance;
-  covariance += depth_sigma * depth_sigma * ray * ray.transpose() + 1e-4 * Eigen::Matrix3d::Identity();
+  const double lateral_sigma = options_.lateral_sigma * distance;
+  covariance += depth_sigma * depth_sigma * ray * ray.transpose() +
+                lateral_sigma * lateral_sigma * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d R = T_odom_camera.linear();
   const Eigen::Matrix3d information = (R * covariance * R.transpose()).inverse();
   // y = [I, -c] (p, s)
@@ -158,6 +160,11 @@ void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view, co
   Vote(track, view, estimation, T_odom_camera);
 }
 
+std::optional<double> ObjectTracks::Scale() const {
+  if (scale_sigma_ > 0.1 * scale_) return std::nullopt;
+  return scale_;
+}
+
 void ObjectTracks::Update(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
   // Eliminate every p: what remains is one equation for s.
@@ -170,6 +177,7 @@ void ObjectTracks::Update(double timestamp) {
     right_side += track.right_side(3) - by_p.dot(track.right_side.head<3>());
   }
   scale_ = std::max(0.0, right_side / information);
+  scale_sigma_ = 1 / std::sqrt(information);
   for (Track& track : tracks_) {
     const Eigen::LLT<Eigen::Matrix3d> pp(track.normal.topLeftCorner<3, 3>());
     track.position = pp.solve(track.right_side.head<3>() - scale_ * track.normal.topRightCorner<3, 1>());

@@ -26,9 +26,11 @@ struct TrackOptions {
   double fading = 0.98;            // weight of what was known before, with each new observation
   double measurement_scale = 2;    // multiplies the standard deviations of resection
   double depth_sigma = 0.08;       // share of the distance, added along the ray: one view's error of size
+  double lateral_sigma = 0.025;    // share of the distance, added across the ray: bearing, drift, the centre's definition
   double min_sigma = 0.04;         // metres: a remembered position is never surer
   double min_relative_sigma = 0.03;  // share of the distance: nor surer than this
   double vote_weight = 0.6;        // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
+  int min_edges = 3;               // matched edges of an estimate that is learnt from
   int min_observations = 2;        // before a track is used
   double max_gap = 5;              // seconds unseen, then it is dropped
   double scale_sigma = 3.0;        // of the logarithm-like prior on the scale, about 1; hardly a constraint
@@ -47,6 +49,9 @@ class ObjectTracks {
   // Adds an accepted estimate to its track, or starts one (track -1).
   void Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
              const Eigen::Isometry3d& T_odom_camera);
+
+  // Metres per unit of odometry as the objects tell, once its standard deviation is below a tenth of it.
+  std::optional<double> Scale() const;
 
   // Solves for positions and scale, forgets what was not seen for long.
   void Update(double timestamp);
@@ -71,7 +76,8 @@ class ObjectTracks {
 
   TrackOptions options_;
   std::vector<Track> tracks_;
-  double scale_ = 0;  // metres per unit of odometry
+  double scale_ = 0;        // metres per unit of odometry
+  double scale_sigma_ = 1e9;
 };
 
 }  // namespace armature

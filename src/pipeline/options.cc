@@ -29,6 +29,7 @@ void AddFloorOptions(FloorOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("floor.initial_height", &o.initial_height, "of the camera before anything is seen, metres", 0, 100));
   t.push_back(Option("floor.initial_sigma", &o.initial_sigma, "of the initial height, metres", 0.001, 100));
   t.push_back(Option("floor.drift", &o.drift, "of the camera's height, metres per square root of a second", 0, 10));
+  t.push_back(Option("floor.climb_error", &o.climb_error, "of the climb that the odometry tells, share", 0, 10));
   t.push_back(Option("floor.size_sigma", &o.size_sigma, "of furniture's size about its reference, share", 0, 1));
   t.push_back(Option("floor.min_sigma", &o.min_sigma, "the height is never surer, metres", 0.001, 10));
 }
@@ -38,9 +39,11 @@ void AddTrackOptions(TrackOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("tracks.fading", &o.fading, "weight of earlier frames with each new one", 0.1, 1));
   t.push_back(Option("tracks.measurement_scale", &o.measurement_scale, "multiplies resection's standard deviations", 0.1, 100));
   t.push_back(Option("tracks.depth_sigma", &o.depth_sigma, "of one view's depth, share of the distance", 0, 1));
+  t.push_back(Option("tracks.lateral_sigma", &o.lateral_sigma, "across the ray, share of the distance", 0, 1));
   t.push_back(Option("tracks.min_sigma", &o.min_sigma, "a remembered position is never surer, metres", 0.001, 10));
   t.push_back(Option("tracks.min_relative_sigma", &o.min_relative_sigma, "nor surer than this share of the distance", 0, 1));
   t.push_back(Option("tracks.vote_weight", &o.vote_weight, "of one viewpoint prior", 0, 1));
+  t.push_back(Option("tracks.min_edges", &o.min_edges, "matched edges of an estimate that is learnt from", 1, 100));
   t.push_back(Option("tracks.min_observations", &o.min_observations, "before a track is used", 1, 1000));
   t.push_back(Option("tracks.max_gap", &o.max_gap, "unseen, before a track is dropped, seconds", 0, 1e6));
   t.push_back(Option("tracks.scale_sigma", &o.scale_sigma, "of the prior on the odometry's scale about 1", 0.01, 1e6));
@@ -54,7 +57,7 @@ void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.tilt_spread_deg", &o.tilt_spread_deg, "either side of the prior where up is unknown, degrees", 0, 90));
   t.push_back(Option("association.angle_step_deg", &o.angle_step_deg, "between elevations and tilts, degrees", 1, 90));
   t.push_back(Option("association.depth_factor", &o.depth_factor, "the box's depth is also tried divided and multiplied by this", 1, 4));
-  t.push_back(Option("association.hidden_bottom", &o.hidden_bottom, "also try that something hides the object's bottom"));
+  t.push_back(Option("association.hidden_sides", &o.hidden_sides, "also try that something hides the object beyond a side of its box"));
   t.push_back(Option("association.printed_translation", &o.printed_translation, "the paper's T_z, T_x, T_y, not all sides of the box"));
 }
 
@@ -74,7 +77,6 @@ void AddCostOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.floor_weight", &c.floor_weight, "of the squared floor residual", 0, 1000));
   t.push_back(Option("association.memory_weight", &c.memory_weight, "of the squared distance from the remembered position", 0, 1000));
   t.push_back(Option("association.yaw_memory_cap", &c.yaw_memory_cap, "the remembered viewpoint priors cost at most this", 0, 1000));
-  t.push_back(Option("association.open_side_cost", &c.open_side_cost, "of taking a side of the box to be hidden", 0, 1000));
 }
 
 void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
@@ -83,6 +85,8 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.cut_tolerance", &o.box.cut_tolerance, "a side this near the border is cut, share of the box", 0, 0.5));
   t.push_back(Option("association.box_sigma", &o.box.sigma, "of a box's side, share of the box", 0.001, 1));
   t.push_back(Option("association.box_sigma_pixels", &o.box.sigma_pixels, "of a box's side, added, pixels", 0, 100));
+  t.push_back(Option("association.hidden_probability", &o.box.hidden_probability, "of a box's bottom that no other box goes on beyond", 0, 0.99));
+  t.push_back(Option("association.hidden_behind_probability", &o.box.hidden_behind_probability, "of a side that another box goes on beyond", 0, 0.99));
   t.push_back(Option("association.box_padding", &o.box.padding, "the real object's reach beyond its wireframe, metres", 0, 1));
   t.push_back(Option("association.refined_hypotheses", &o.refined_hypotheses, "best hypotheses that go on to resection", 1, 1000));
   t.push_back(Option("association.rounds", &o.rounds, "of association and resection each", 1, 100));

@@ -25,6 +25,9 @@ enum class EstimateStatus {
   kOffTheBox,     // the estimate's projection is not where the detection is
 };
 
+// How many different edges the matches cover.
+int MatchedEdges(const std::vector<EdgeMatch>& matches);
+
 // "ok", "too_few_edges", "behind_camera", "diverged", "off_the_box"
 std::string_view StatusName(EstimateStatus status);
 
