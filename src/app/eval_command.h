@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature eval`: runs against the truth of their sequences.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/configuration.h"
+
+namespace armature {
+
+struct EvalArguments {
+  std::vector<std::filesystem::path> runs;
+  // Sequence folders with ground truth, or folders of such; empty: where each run says its sequence is.
+  std::vector<std::filesystem::path> ground_truth;
+  std::filesystem::path cad;  // folder of annotated CAD models; empty: matches are not judged
+  std::filesystem::path raw;  // file of all rows; empty: none
+  std::string format = "text";
+  bool json = false;
+  ConfigurationArguments configuration;  // its folder of category models
+};
+
+// Prints two tables a sequence. Returns the exit status; throws InputError.
+int RunEval(const EvalArguments& arguments);
+
+// Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.
+void AddEvalCommand(CLI::App& app, int& exit_status);
+
+}  // namespace armature

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What commands that print several tables share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/configuration.h"
+#include "io/text_table.h"
+
+namespace armature {
+
+// The tables one after the other, a blank line between; in JSON one array.
+std::string FormatTables(const std::vector<Table>& tables, TableFormat format);
+
+// --categories and --configs alone, for commands that read categories but have no options of a run.
+void AddCategoriesArguments(CLI::App& command, ConfigurationArguments& arguments);
+
+}  // namespace armature
