@@ -23,7 +23,8 @@ struct CadSource {
 
 const std::vector<CadSource>& Sources() {
   static const std::vector<CadSource> sources = {
-      {"chair", "keypointnet:", "keypointnet_chair", "keypointnet_chair_kp10.csv", "keypointnet_chair_boxes.txt", 0},
+      {"chair", "keypointnet:", "keypointnet_chair", "keypointnet_chair_kp10.csv",
+       "keypointnet_chair_boxes.txt", 0},
       {"table", "shapeassembly:", "shapeassembly_table", "shapeassembly_table_kp12.csv",
        "shapeassembly_table_boxes.txt", 1},
       {"laptop", "modelnet40:", "modelnet_laptop", "modelnet40_laptop_autokp6.csv", "", 0}};
@@ -51,8 +52,8 @@ void AddBox(const std::filesystem::path& file, const TextLine& line, const CadSo
   stream >> ids[0] >> ids[1];
   for (double& value : v) stream >> value;
   if (!stream) {
-    throw InputError(fmt::format("{}:{}: a box is two ids and 15 numbers: centre, half size, axes", file.string(),
-                                 line.number));
+    throw InputError(fmt::format("{}:{}: a box is two ids and 15 numbers: centre, half size, axes",
+                                 file.string(), line.number));
   }
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(v.data() + 6);
   const Eigen::Vector3d center = R_object_table * v.head<3>();
@@ -94,8 +95,8 @@ CadLibrary::CadLibrary(const std::filesystem::path& folder, const std::vector<Ca
     }
   }
   if (!found) {
-    throw InputError(fmt::format("{}: has no annotated CAD models; give the folder of keypointnet_chair_kp10.csv",
-                                 folder.string()));
+    throw InputError(fmt::format(
+        "{}: has no annotated CAD models; give the folder of keypointnet_chair_kp10.csv", folder.string()));
   }
 }
 

@@ -28,12 +28,13 @@ class CadLibrary {
   //   keypointnet_chair_kp10.csv:       keypointnet:MODEL_ID       boxes in keypointnet_chair_boxes.txt
   //   shapeassembly_table_kp12.csv:     shapeassembly:ANNO_ID      boxes in shapeassembly_table_boxes.txt
   //   modelnet40_laptop_autokp6.csv:    modelnet40:FILE
-  // A model without boxes takes its annotated edges' bounding box. Throws InputError: none of the files exists, or one
-  // is malformed. Categories without specification are left out.
+  // A model without boxes takes its annotated edges' bounding box. Throws InputError: none of the files
+  // exists, or one is malformed. Categories without specification are left out.
   CadLibrary(const std::filesystem::path& folder, const std::vector<CategorySpec>& specs);
 
-  // The object's own edges in its frame, metres: scaled along each axis so that the CAD model's bounding box gets the
-  // object's size, and moved so that the box's centre is the origin. None where the instance is not in the library.
+  // The object's own edges in its frame, metres: scaled along each axis so that the CAD model's bounding box
+  // gets the object's size, and moved so that the box's centre is the origin. None where the instance is not
+  // in the library.
   std::optional<Wireframe> EdgesOf(const TrueObject& object) const;
 
  private:

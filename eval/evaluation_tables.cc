@@ -14,12 +14,16 @@ namespace {
 using Rows = std::vector<const EvaluatedDetection*>;
 
 struct Selection {
-  int detections = 0;       // with truth
+  int detections = 0;  // with truth
   int ok = 0;
   std::vector<ObservationError> errors;  // of those with an estimate (and, in the second table, status ok)
-  int with_edges = 0;       // detections whose object's own edges are known
   MatchCounts matches;
 };
+
+void Add(const RightMatches& more, RightMatches& sum) {
+  sum.matches += more.matches;
+  sum.edges += more.edges;
+}
 
 Selection Select(const RunEvaluation& evaluation, const std::string& category, bool only_ok) {
   Selection s;
@@ -30,21 +34,19 @@ Selection Select(const RunEvaluation& evaluation, const std::string& category, b
     if (only_ok && d.status != "ok") continue;
     if (d.error) s.errors.push_back(*d.error);
     if (!d.matches) continue;
-    ++s.with_edges;
     s.matches.matches += d.matches->matches;
-    s.matches.right += d.matches->right;
     s.matches.visible_edges += d.matches->visible_edges;
-    s.matches.found_edges += d.matches->found_edges;
+    Add(d.matches->on_edge, s.matches.on_edge);
+    Add(d.matches->near_edge, s.matches.near_edge);
   }
   return s;
 }
 
 // In percent; nothing of nothing is a dash.
-Cell PercentCell(double part, int whole) {
-  return whole == 0 ? NoCell() : NumberCell(100 * part / whole, 1);
-}
+Cell PercentCell(double part, int whole) { return whole == 0 ? NoCell() : NumberCell(100 * part / whole, 1); }
 
-std::vector<Cell> RowOf(const std::string& run, const std::string& category, const Selection& s, bool only_ok) {
+std::vector<Cell> RowOf(const std::string& run, const std::string& category, const Selection& s,
+                        bool only_ok) {
   std::vector<Cell> row{TextCell(run), TextCell(category.empty() ? "all" : category)};
   const ObservationSummary summary = Summarise(s.errors);
   const bool any = summary.count > 0;
@@ -53,11 +55,14 @@ std::vector<Cell> RowOf(const std::string& run, const std::string& category, con
   row.push_back(CountCell(summary.count));
   if (!only_ok) row.push_back(PercentCell(s.ok, s.detections));
   row.push_back(median(summary.median_azimuth_deg, 2));
-  row.push_back(PercentCell(summary.share_within_15_deg * summary.count, only_ok ? summary.count : s.detections));
+  row.push_back(
+      PercentCell(summary.share_within_15_deg * summary.count, only_ok ? summary.count : s.detections));
   row.push_back(median(summary.median_translation_percent, 2));
   row.push_back(median(summary.median_axis_deg, 2));
-  row.push_back(PercentCell(s.matches.right, s.matches.matches));
-  row.push_back(PercentCell(s.matches.found_edges, s.matches.visible_edges));
+  for (const RightMatches* right : {&s.matches.on_edge, &s.matches.near_edge}) {
+    row.push_back(PercentCell(right->matches, s.matches.matches));
+    row.push_back(PercentCell(right->edges, s.matches.visible_edges));
+  }
   return row;
 }
 
@@ -69,25 +74,37 @@ std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs) 
   return {categories.begin(), categories.end()};
 }
 
-std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs, bool only_ok) {
-  const EdgeTolerance tolerance;
-  std::vector<std::string> notes = {
-      "detections: those that are of a true object; estimates: those of them that the run gives a pose of" +
-          std::string(only_ok ? ", with status ok." : ", whatever its status."),
-      "azimuth, translation, up axis: medians over the estimates. azimuth: of the camera seen from the object, each "
-      "along its own ray, symmetric turns are equal. translation: |t - t_true| / |t_true|. up axis: angle between the "
-      "estimated and the true y axis.",
-      std::string("within 15 deg: share of all ") + (only_ok ? "estimates" : "detections, one without pose is not within") +
-          " whose azimuth error is at most 15 degrees.",
-      fmt::format("precision: share of the matches whose segment lies on the object's own edge of that name: both ends "
+std::vector<std::string> Definitions() {
+  return {
+      "detections: those that are of a true object. estimates: those of them that the run gives a pose of, "
+      "whatever its "
+      "status. ok: share of the detections.",
+      "azimuth, translation, up axis: medians over the estimates. azimuth: of the camera seen from the "
+      "object, each "
+      "along its own ray; symmetric turns are equal.",
+      "translation: |t - t_true| / |t_true|. up axis: angle between the estimated and the true y axis.",
+      "within 15 deg: share of the detections whose azimuth error is at most 15 degrees; one without pose is "
+      "not.",
+      fmt::format("precision: share of the matches whose segment lies on the object's own edge of that name: "
+                  "both ends "
                   "within {} px of its line, at most {} degrees apart, side by side.",
-                  tolerance.distance, tolerance.angle_deg),
-      fmt::format("recall: share of the object's own edges with at least {} px in the image and not hidden that have such "
-                  "a match{}.",
-                  kLeastVisiblePixels, only_ok ? "" : "; all are missed where there is no pose"),
-      "precision and recall: of objects whose CAD model is known (--cad) only; a dash where there is none."};
+                  kOnEdge.distance, kOnEdge.angle_deg),
+      fmt::format("recall: share of the object's own edges with at least {} px in the image and not hidden "
+                  "that have such "
+                  "a match; without pose none has.",
+                  kLeastVisiblePixels),
+      fmt::format(
+          "~: the same within {} px and {} cm, because edges are annotated along the axes of legs and posts.",
+          kNearEdge.distance, 100 * kNearEdge.metres),
+      "precision and recall are of objects with a known CAD model (--cad); a dash where there is none."};
+}
+
+std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs, bool only_ok) {
+  if (only_ok)
+    return {"As above, but estimates are those with status ok, and all shares are of them and their edges."};
+  std::vector<std::string> notes = Definitions();
   for (const NamedEvaluation& run : runs) {
-    if (run.evaluation.without_truth == 0 || only_ok) continue;
+    if (run.evaluation.without_truth == 0) continue;
     notes.push_back(fmt::format("{}: {} detections are of no true object and are left out.", run.run,
                                 run.evaluation.without_truth));
   }
@@ -100,7 +117,7 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
   table.columns = {"run", "category", "detections", "estimates"};
   if (!only_ok) table.columns.push_back("ok [%]");
   for (const char* column : {"azimuth [deg]", "within 15 deg [%]", "translation [%]", "up axis [deg]",
-                             "precision [%]", "recall [%]"}) {
+                             "precision [%]", "recall [%]", "~precision [%]", "~recall [%]"}) {
     table.columns.push_back(column);
   }
   std::vector<std::string> categories = CategoriesOf(runs);
@@ -115,20 +132,21 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
 }
 
 std::string RawRow(const std::string& run, const std::string& sequence, const EvaluatedDetection& d) {
-  std::string row = fmt::format("{},{},{},{},{},{},{}", run, sequence, Fixed(d.timestamp, 6), d.index, d.object,
-                                d.category, d.status);
-  row += d.error ? fmt::format(",{},{},{}", Fixed(d.error->azimuth_deg, 4), Fixed(d.error->translation_percent, 4),
-                               Fixed(d.error->elevation_axis_deg, 4))
+  std::string row = fmt::format("{},{},{},{},{},{},{}", run, sequence, Fixed(d.timestamp, 6), d.index,
+                                d.object, d.category, d.status);
+  row += d.error ? fmt::format(",{},{},{}", Fixed(d.error->azimuth_deg, 4),
+                               Fixed(d.error->translation_percent, 4), Fixed(d.error->elevation_axis_deg, 4))
                  : ",,,";
-  row += d.matches ? fmt::format(",{},{},{},{}", d.matches->matches, d.matches->right, d.matches->visible_edges,
-                                 d.matches->found_edges)
-                   : ",,,,";
-  return row + "\n";
+  if (!d.matches) return row + ",,,,,,\n";
+  const MatchCounts& m = *d.matches;
+  return row + fmt::format(",{},{},{},{},{},{}\n", m.matches, m.visible_edges, m.on_edge.matches,
+                           m.on_edge.edges, m.near_edge.matches, m.near_edge.edges);
 }
 
 }  // namespace
 
-std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders, const std::string& sequence) {
+std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
+                                  const std::string& sequence) {
   std::vector<std::string> names;
   for (const std::filesystem::path& folder : folders) {
     std::filesystem::path path = folder.lexically_normal();
@@ -149,9 +167,10 @@ std::vector<Table> EvaluationTables(const std::string& sequence, const std::vect
 std::string RawCsv(const std::vector<NamedEvaluation>& runs) {
   std::string text =
       "run,sequence,timestamp,index,object,category,status,azimuth_error_deg,translation_error_percent,"
-      "up_axis_error_deg,matches,right_matches,visible_edges,found_edges\n";
+      "up_axis_error_deg,matches,visible_edges,right_matches,found_edges,near_matches,near_edges\n";
   for (const NamedEvaluation& run : runs) {
-    for (const EvaluatedDetection& d : run.evaluation.detections) text += RawRow(run.run, run.evaluation.sequence, d);
+    for (const EvaluatedDetection& d : run.evaluation.detections)
+      text += RawRow(run.run, run.evaluation.sequence, d);
   }
   return text;
 }

@@ -16,12 +16,13 @@ struct NamedEvaluation {
   RunEvaluation evaluation;
 };
 
-// Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder is named
-// after the sequence, and the paths as they are where those are not distinct.
-std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders, const std::string& sequence);
+// Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder
+// is named after the sequence, and the paths as they are where those are not distinct.
+std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
+                                  const std::string& sequence);
 
-// Runs on one sequence, a row a run and category and one of all categories: first of all detections that have an
-// estimate whatever its status, then of those with status ok alone.
+// Runs on one sequence, a row a run and category and one of all categories: first of all detections that have
+// an estimate whatever its status, then of those with status ok alone.
 std::vector<Table> EvaluationTables(const std::string& sequence, const std::vector<NamedEvaluation>& runs);
 
 // A row a run and detection with truth; CSV. Empty fields: not known.

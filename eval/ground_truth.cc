@@ -15,13 +15,14 @@ namespace {
 long long Microseconds(double timestamp) { return std::llround(timestamp * 1e6); }
 
 std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
-  const CsvTable table(file, {"id", "category", "instance", "tx", "ty", "tz", "qx", "qy", "qz", "qw", "size_x",
-                              "size_y", "size_z"});
+  const CsvTable table(file, {"id", "category", "instance", "tx", "ty", "tz", "qx", "qy", "qz", "qw",
+                              "size_x", "size_y", "size_z"});
   std::vector<TrueObject> objects;
   for (const CsvRow& row : table.rows()) {
     TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
     const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
-    if (std::abs(q.norm() - 1) > 1e-3) throw InputError(row.At("the quaternion has not unit length; normalise it"));
+    if (std::abs(q.norm() - 1) > 1e-3)
+      throw InputError(row.At("the quaternion has not unit length; normalise it"));
     object.T_world_object.linear() = q.normalized().toRotationMatrix();
     object.T_world_object.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
     object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
@@ -42,8 +43,8 @@ GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
                                      [&](const TrueObject& o) { return o.id == row.Text("id"); });
     if (row.IsEmpty("id")) continue;  // a false alarm
     if (object == truth.objects.end()) {
-      throw InputError(row.At(fmt::format("no object '{}' in objects_gt.csv; add it or leave the id empty",
-                                          row.Text("id"))));
+      throw InputError(row.At(
+          fmt::format("no object '{}' in objects_gt.csv; add it or leave the id empty", row.Text("id"))));
     }
     truth.detections[{Microseconds(row.Number("timestamp")), row.Integer("index")}] =
         static_cast<size_t>(object - truth.objects.begin());

@@ -29,10 +29,11 @@ ObservationError CompareObservation(const std::string& category, int symmetry_or
   ObservationError error;
   error.category = category;
   error.ok = ok;
-  error.azimuth_deg =
-      std::abs(AzimuthDifference(AzimuthOf(T_camera_object), AzimuthOf(T_camera_object_true), symmetry_order)) /
-      kDegree;
-  error.translation_percent = 100 * (T_camera_object.translation() - T_camera_object_true.translation()).norm() /
+  error.azimuth_deg = std::abs(AzimuthDifference(AzimuthOf(T_camera_object), AzimuthOf(T_camera_object_true),
+                                                 symmetry_order)) /
+                      kDegree;
+  error.translation_percent = 100 *
+                              (T_camera_object.translation() - T_camera_object_true.translation()).norm() /
                               T_camera_object_true.translation().norm();
   const double cosine = T_camera_object.linear().col(1).dot(T_camera_object_true.linear().col(1));
   error.elevation_axis_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;

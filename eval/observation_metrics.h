@@ -11,10 +11,10 @@ namespace armature {
 // One detection's estimate against the truth.
 struct ObservationError {
   std::string category;
-  bool ok = false;                     // the estimate's status
-  double azimuth_deg = 0;              // absolute, degrees, the category's symmetry taken into account
-  double translation_percent = 0;      // |t - t_true| in percent of |t_true|
-  double elevation_axis_deg = 0;       // between the estimated and the true y axis of the object, degrees
+  bool ok = false;                 // the estimate's status
+  double azimuth_deg = 0;          // absolute, degrees, the category's symmetry taken into account
+  double translation_percent = 0;  // |t - t_true| in percent of |t_true|
+  double elevation_axis_deg = 0;   // between the estimated and the true y axis of the object, degrees
 };
 
 // Azimuth as geometry/viewpoint.h defines it, each seen along its own ray.
@@ -25,11 +25,11 @@ ObservationError CompareObservation(const std::string& category, int symmetry_or
 // Of all detections with an estimate, whatever its status.
 struct ObservationSummary {
   int count = 0;
-  double ok_share = 0;                     // 0..1
-  double median_azimuth_deg = 0;           // degrees
-  double share_within_15_deg = 0;          // 0..1
+  double ok_share = 0;             // 0..1
+  double median_azimuth_deg = 0;   // degrees
+  double share_within_15_deg = 0;  // 0..1
   double median_translation_percent = 0;
-  double median_axis_deg = 0;              // degrees
+  double median_axis_deg = 0;  // degrees
 };
 ObservationSummary Summarise(const std::vector<ObservationError>& errors);
 

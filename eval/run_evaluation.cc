@@ -22,31 +22,50 @@ size_t EdgeIndex(const RunResults& run, const CategorySpec& spec, const std::str
   return static_cast<size_t>(found - spec.edge_names.begin());
 }
 
+// A match: the physical edge that it names, and its segment.
+struct NamedSegment {
+  size_t edge;
+  Segment segment;
+};
+
+RightMatches CountRight(const std::vector<NamedSegment>& matches, const std::vector<VisibleEdge>& edges,
+                        const EdgeTolerance& tolerance) {
+  RightMatches right;
+  std::vector<bool> found(edges.size(), false);
+  for (const NamedSegment& match : matches) {
+    if (!LiesOnEdge(match.segment, edges[match.edge], tolerance)) continue;
+    ++right.matches;
+    found[match.edge] = true;
+  }
+  for (size_t i = 0; i < edges.size(); ++i) {
+    right.edges += found[i] && edges[i].visible_length() >= kLeastVisiblePixels ? 1 : 0;
+  }
+  return right;
+}
+
 // `named[e]`: the physical edge that the estimate calls e.
 MatchCounts CountMatches(const RunResults& run, const CategorySpec& spec, const RunObservation* observation,
                          const std::vector<VisibleEdge>& edges, const std::vector<int>& named) {
-  const EdgeTolerance tolerance;
-  MatchCounts counts;
-  std::vector<bool> found(edges.size(), false);
+  std::vector<NamedSegment> matches;
   if (observation && observation->T_camera_object) {
     for (const RunMatch& match : observation->matches) {
-      const auto edge = static_cast<size_t>(named[EdgeIndex(run, spec, match.edge)]);
-      const bool right = LiesOnEdge(match.segment, edges[edge], tolerance);
-      ++counts.matches;
-      counts.right += right ? 1 : 0;
-      found[edge] = found[edge] || right;
+      matches.push_back({static_cast<size_t>(named[EdgeIndex(run, spec, match.edge)]), match.segment});
     }
   }
-  for (size_t i = 0; i < edges.size(); ++i) {
-    if (edges[i].visible_length() < kLeastVisiblePixels) continue;
-    ++counts.visible_edges;
-    counts.found_edges += found[i] ? 1 : 0;
-  }
+  MatchCounts counts;
+  counts.matches = static_cast<int>(matches.size());
+  counts.visible_edges =
+      static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const VisibleEdge& edge) {
+        return edge.visible_length() >= kLeastVisiblePixels;
+      }));
+  counts.on_edge = CountRight(matches, edges, kOnEdge);
+  counts.near_edge = CountRight(matches, edges, kNearEdge);
   return counts;
 }
 
-EvaluatedDetection Evaluate(const RunResults& run, const TrueScene& scene, const GroundTruth& truth, size_t object,
-                            const Eigen::Isometry3d& T_world_camera, const RunObservation* observation) {
+EvaluatedDetection Evaluate(const RunResults& run, const TrueScene& scene, const GroundTruth& truth,
+                            size_t object, const Eigen::Isometry3d& T_world_camera,
+                            const RunObservation* observation) {
   const CategorySpec& spec = scene.spec(object);
   const Eigen::Isometry3d T_true = T_world_camera.inverse() * truth.objects[object].T_world_object;
   EvaluatedDetection row;

@@ -18,20 +18,31 @@ namespace armature {
 
 constexpr double kLeastVisiblePixels = 20;  // an edge counts as visible from this visible length
 
+// How near a match has to be to be right. Edges are annotated along the axes of legs and posts, whose
+// outlines are some centimetres beside them: the second tolerance allows for that.
+inline constexpr EdgeTolerance kOnEdge{.distance = 4, .metres = 0, .angle_deg = 6};
+inline constexpr EdgeTolerance kNearEdge{.distance = 4, .metres = 0.05, .angle_deg = 6};
+
+struct RightMatches {
+  int matches =
+      0;          // rows of associations.csv that lie on the edge they name, under the nearest symmetric turn
+  int edges = 0;  // visible true edges with such a match
+};
+
 // Matches of one detection against its object's own edges.
 struct MatchCounts {
-  int matches = 0;          // rows of associations.csv
-  int right = 0;            // of them, those that lie on the edge they name, under the nearest symmetric turn
-  int visible_edges = 0;    // true edges with at least kLeastVisiblePixels seen
-  int found_edges = 0;      // of them, those with a right match
+  int matches = 0;         // rows of associations.csv
+  int visible_edges = 0;   // true edges with at least kLeastVisiblePixels seen
+  RightMatches on_edge;    // by kOnEdge
+  RightMatches near_edge;  // by kNearEdge
 };
 
 struct EvaluatedDetection {
   double timestamp = 0;  // seconds
   int index = 0;
-  std::string object;    // id in objects_gt.csv
-  std::string category;  // the object's
-  std::string status;    // "ok", ...; "missing": the run has no row of it
+  std::string object;                     // id in objects_gt.csv
+  std::string category;                   // the object's
+  std::string status;                     // "ok", ...; "missing": the run has no row of it
   std::optional<ObservationError> error;  // none: the run gives no pose
   std::optional<MatchCounts> matches;     // none: the object's own edges are not known
 };

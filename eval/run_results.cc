@@ -34,11 +34,13 @@ void ReadSummary(const std::filesystem::path& file, RunResults& run) {
 }
 
 std::optional<Eigen::Isometry3d> ReadPose(const CsvRow& row) {
-  const auto empty = std::count_if(kPose.begin(), kPose.end(), [&](const std::string& c) { return row.IsEmpty(c); });
+  const auto empty =
+      std::count_if(kPose.begin(), kPose.end(), [&](const std::string& c) { return row.IsEmpty(c); });
   if (empty == static_cast<std::ptrdiff_t>(kPose.size())) return std::nullopt;
   if (empty != 0) throw InputError(row.At("the pose is incomplete; give all of tx..qw, or none"));
   const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
-  if (std::abs(q.norm() - 1) > 1e-3) throw InputError(row.At("the quaternion has not unit length; normalise it"));
+  if (std::abs(q.norm() - 1) > 1e-3)
+    throw InputError(row.At("the quaternion has not unit length; normalise it"));
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = q.normalized().toRotationMatrix();
   pose.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
@@ -50,7 +52,8 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
   columns.insert(columns.end(), kPose.begin(), kPose.end());
   const CsvTable table(file, columns);
   for (const CsvRow& row : table.rows()) {
-    RunObservation observation{row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPose(row), {}};
+    RunObservation observation{
+        row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPose(row), {}};
     const Key key = KeyOf(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));
@@ -59,12 +62,13 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
 }
 
 void ReadAssociations(const std::filesystem::path& file, RunResults& run) {
-  const CsvTable table(file,
-                       {"timestamp", "index", "edge", "segment_x1", "segment_y1", "segment_x2", "segment_y2"});
+  const CsvTable table(
+      file, {"timestamp", "index", "edge", "segment_x1", "segment_y1", "segment_x2", "segment_y2"});
   for (const CsvRow& row : table.rows()) {
     const auto found = run.observations.find(KeyOf(row.Number("timestamp"), row.Integer("index")));
     if (found == run.observations.end()) {
-      throw InputError(row.At("observations.csv has no row of this timestamp and index; the files are of two runs"));
+      throw InputError(
+          row.At("observations.csv has no row of this timestamp and index; the files are of two runs"));
     }
     const Segment segment{{row.Number("segment_x1"), row.Number("segment_y1")},
                           {row.Number("segment_x2"), row.Number("segment_y2")}};
@@ -86,9 +90,10 @@ const RunObservation* RunResults::Find(double timestamp, int index) const {
 
 RunResults LoadRun(const std::filesystem::path& folder) {
   if (!IsCompleteRun(folder)) {
-    throw InputError(fmt::format(
-        "{}: is not a finished run: it has no summary.json that says \"complete\": true; run `armature run` again",
-        folder.string()));
+    throw InputError(
+        fmt::format("{}: is not a finished run: it has no summary.json that says \"complete\": true; run "
+                    "`armature run` again",
+                    folder.string()));
   }
   RunResults run;
   run.folder = folder;
@@ -106,8 +111,9 @@ std::vector<std::filesystem::path> RunsIn(const std::filesystem::path& folder) {
     if (IsCompleteRun(entry.path())) runs.push_back(entry.path());
   }
   if (runs.empty()) {
-    throw InputError(fmt::format("{}: is not a finished run and has none in it; give a folder that `armature run` wrote",
-                                 folder.string()));
+    throw InputError(
+        fmt::format("{}: is not a finished run and has none in it; give a folder that `armature run` wrote",
+                    folder.string()));
   }
   std::sort(runs.begin(), runs.end());
   return runs;

@@ -22,9 +22,9 @@ struct RunMatch {
 
 // A row of observations.csv with its rows of associations.csv.
 struct RunObservation {
-  double timestamp = 0;  // seconds
-  int index = 0;         // the detection's number among those of its timestamp
-  std::string status;    // "ok", or why there is no estimate to rely on
+  double timestamp = 0;                              // seconds
+  int index = 0;                                     // the detection's number among those of its timestamp
+  std::string status;                                // "ok", or why there is no estimate to rely on
   std::optional<Eigen::Isometry3d> T_camera_object;  // metres; none where the row has no pose
   std::vector<RunMatch> matches;
 
@@ -33,20 +33,21 @@ struct RunObservation {
 
 struct RunResults {
   std::filesystem::path folder;
-  std::string sequence;                   // its name
-  std::filesystem::path sequence_folder;  // empty: the run did not record it
+  std::string sequence;                                              // its name
+  std::filesystem::path sequence_folder;                             // empty: the run did not record it
   std::map<std::pair<long long, int>, RunObservation> observations;  // (whole microseconds, index)
 
   // The observation of a detection; stamps match within kStampTolerance. Null: the run has no row of it.
   const RunObservation* Find(double timestamp, int index) const;
 };
 
-// summary.json, observations.csv and associations.csv of a run folder. Throws InputError: not a finished run, a missing
-// or malformed file, a repeated observation, an association without its observation, a half-empty pose.
+// summary.json, observations.csv and associations.csv of a run folder. Throws InputError: not a finished run,
+// a missing or malformed file, a repeated observation, an association without its observation, a half-empty
+// pose.
 RunResults LoadRun(const std::filesystem::path& folder);
 
-// The folder itself where it is a run, else the finished runs directly inside it, by name. Throws InputError when there
-// is none.
+// The folder itself where it is a run, else the finished runs directly inside it, by name. Throws InputError
+// when there is none.
 std::vector<std::filesystem::path> RunsIn(const std::filesystem::path& folder);
 
 }  // namespace armature

@@ -10,12 +10,13 @@
 namespace armature {
 
 const CategorySpec& SpecOf(const std::vector<CategorySpec>& specs, const std::string& category) {
-  const auto found =
-      std::find_if(specs.begin(), specs.end(), [&](const CategorySpec& spec) { return spec.name == category; });
+  const auto found = std::find_if(specs.begin(), specs.end(),
+                                  [&](const CategorySpec& spec) { return spec.name == category; });
   if (found == specs.end()) {
-    throw InputError(fmt::format("no category '{}' among the category models; add its file, or name the folder that "
-                                 "has it with --categories",
-                                 category));
+    throw InputError(
+        fmt::format("no category '{}' among the category models; add its file, or name the folder that "
+                    "has it with --categories",
+                    category));
   }
   return *found;
 }

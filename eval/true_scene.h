@@ -19,16 +19,18 @@ const CategorySpec& SpecOf(const std::vector<CategorySpec>& specs, const std::st
 
 class TrueScene {
  public:
-  // Keeps references to `truth`, which has to outlive it. Throws InputError for a category without specification.
+  // Keeps references to `truth`, which has to outlive it. Throws InputError for a category without
+  // specification.
   TrueScene(const Camera& camera, const GroundTruth& truth, const std::vector<CategorySpec>& specs,
             const CadLibrary& cad);
 
   const CategorySpec& spec(size_t object) const { return objects_[object].spec; }
   // None where the CAD model is not known.
   const std::optional<Wireframe>& wireframe(size_t object) const { return objects_[object].wireframe; }
-  // What is seen of the object's own edges: not outside the image, nor behind its own faces or those of the other
-  // objects with a known CAD model. None where the object's CAD model is not known.
-  std::optional<std::vector<VisibleEdge>> EdgesSeen(size_t object, const Eigen::Isometry3d& T_world_camera) const;
+  // What is seen of the object's own edges: not outside the image, nor behind its own faces or those of the
+  // other objects with a known CAD model. None where the object's CAD model is not known.
+  std::optional<std::vector<VisibleEdge>> EdgesSeen(size_t object,
+                                                    const Eigen::Isometry3d& T_world_camera) const;
 
  private:
   struct Object {

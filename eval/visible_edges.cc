@@ -11,14 +11,17 @@ namespace armature {
 namespace {
 
 bool HasEdge(const Face& face, int edge) {
-  return std::any_of(face.corners.begin(), face.corners.end(), [&](const EdgeEnd& c) { return c.edge == edge; });
+  return std::any_of(face.corners.begin(), face.corners.end(),
+                     [&](const EdgeEnd& c) { return c.edge == edge; });
 }
 
-VisibleEdge Sampled(const ProjectedEdge& edge, const std::vector<const ImageFace*>& hiding) {
+VisibleEdge Sampled(const Camera& camera, const ProjectedEdge& edge,
+                    const std::vector<const ImageFace*>& hiding) {
   VisibleEdge visible;
   if (edge.length <= 0) return visible;
   visible.line = edge.line;
   visible.in_image = true;
+  visible.pixels_per_metre = camera.fx * (edge.inverse_z1 + edge.inverse_z2) / 2;
   const int count = std::max(1, static_cast<int>(std::lround(edge.length)));
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
@@ -39,13 +42,14 @@ bool IsBeside(const Eigen::Vector2d& point, const Segment& segment, double dista
 }
 
 Eigen::Matrix3d TurnAboutY(int symmetry_order, int step) {
-  return Eigen::AngleAxisd(2 * std::numbers::pi * step / symmetry_order, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  return Eigen::AngleAxisd(2 * std::numbers::pi * step / symmetry_order, Eigen::Vector3d::UnitY())
+      .toRotationMatrix();
 }
 
 }  // namespace
 
-std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
-                                      const Eigen::Isometry3d& T_camera_object,
+std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& spec,
+                                      const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object,
                                       const std::vector<ImageFace>& occluders) {
   const Box image{-0.5, -0.5, static_cast<double>(camera.width), static_cast<double>(camera.height)};
   ProjectedWireframe projected;
@@ -57,12 +61,13 @@ std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& 
       if (!HasEdge(spec.faces[f], i)) hiding.push_back(&projected.faces[f]);
     }
     for (const ImageFace& face : occluders) hiding.push_back(&face);
-    edges.push_back(Sampled(projected.edges[static_cast<size_t>(i)], hiding));
+    edges.push_back(Sampled(camera, projected.edges[static_cast<size_t>(i)], hiding));
   }
   return edges;
 }
 
-double CoveredLength(const VisibleEdge& edge, const std::vector<Segment>& segments, const EdgeTolerance& tolerance) {
+double CoveredLength(const VisibleEdge& edge, const std::vector<Segment>& segments,
+                     const EdgeTolerance& tolerance) {
   if (!edge.in_image) return 0;
   std::vector<const Segment*> parallel;
   for (const Segment& segment : segments) {
@@ -77,8 +82,9 @@ double CoveredLength(const VisibleEdge& edge, const std::vector<Segment>& segmen
 
 bool LiesOnEdge(const Segment& segment, const VisibleEdge& edge, const EdgeTolerance& tolerance) {
   if (!edge.in_image || AcuteAngle(segment, edge.line) > tolerance.angle_deg * kDegree) return false;
-  if (std::abs(SignedDistanceToLine(edge.line, segment.p1)) > tolerance.distance) return false;
-  if (std::abs(SignedDistanceToLine(edge.line, segment.p2)) > tolerance.distance) return false;
+  const double distance = tolerance.distance + tolerance.metres * edge.pixels_per_metre;
+  if (std::abs(SignedDistanceToLine(edge.line, segment.p1)) > distance) return false;
+  if (std::abs(SignedDistanceToLine(edge.line, segment.p2)) > distance) return false;
   const Eigen::Vector2d along = (edge.line.p2 - edge.line.p1).normalized();
   const double s1 = along.dot(segment.p1 - edge.line.p1), s2 = along.dot(segment.p2 - edge.line.p1);
   return std::min(std::max(s1, s2), edge.line.length()) - std::max(std::min(s1, s2), 0.0) >= 1;
@@ -95,7 +101,8 @@ std::vector<int> SymmetricCounterparts(const Wireframe& wireframe, int symmetry_
   return counterparts;
 }
 
-int NearestSymmetryStep(const Eigen::Matrix3d& R_estimated, const Eigen::Matrix3d& R_true, int symmetry_order) {
+int NearestSymmetryStep(const Eigen::Matrix3d& R_estimated, const Eigen::Matrix3d& R_true,
+                        int symmetry_order) {
   int best = 0;
   double best_trace = -4;
   for (int step = 0; step < symmetry_order; ++step) {

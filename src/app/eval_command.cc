@@ -44,12 +44,14 @@ std::map<std::string, SequenceTruth> LoadGivenTruths(const std::vector<fs::path>
   return truths;
 }
 
-const SequenceTruth& TruthOf(const RunResults& run, bool is_given, std::map<std::string, SequenceTruth>& truths) {
+const SequenceTruth& TruthOf(const RunResults& run, bool is_given,
+                             std::map<std::string, SequenceTruth>& truths) {
   if (const auto found = truths.find(run.sequence); found != truths.end()) return found->second;
   if (is_given || run.sequence_folder.empty()) {
-    throw InputError(fmt::format("{}: is a run of sequence '{}', whose ground truth is not known; give its folder with "
-                                 "--groundtruth",
-                                 run.folder.string(), run.sequence));
+    throw InputError(
+        fmt::format("{}: is a run of sequence '{}', whose ground truth is not known; give its folder with "
+                    "--groundtruth",
+                    run.folder.string(), run.sequence));
   }
   return truths.emplace(run.sequence, LoadSequenceTruth(run.sequence_folder)).first->second;
 }
@@ -63,7 +65,8 @@ std::vector<CategorySpec> SpecsOf(const std::vector<CategoryModel>& models) {
 void WriteRaw(const fs::path& file, const std::string& content) {
   std::ofstream stream(file, std::ios::binary);
   stream << content;
-  if (!stream.flush()) throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
+  if (!stream.flush())
+    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
 }
 
 std::vector<RunResults> LoadRuns(const std::vector<fs::path>& folders) {

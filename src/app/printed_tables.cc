@@ -8,7 +8,8 @@ namespace armature {
 std::string FormatTables(const std::vector<Table>& tables, TableFormat format) {
   if (format == TableFormat::kJson) {
     auto array = nlohmann::ordered_json::array();
-    for (const Table& table : tables) array.push_back(nlohmann::ordered_json::parse(FormatTable(table, format)));
+    for (const Table& table : tables)
+      array.push_back(nlohmann::ordered_json::parse(FormatTable(table, format)));
     return array.dump(2) + "\n";
   }
   std::string text;
@@ -22,7 +23,8 @@ std::string FormatTables(const std::vector<Table>& tables, TableFormat format) {
 void AddCategoriesArguments(CLI::App& command, ConfigurationArguments& arguments) {
   command.add_option("--categories", arguments.categories, "folder of category models (CONFIGS/categories)")
       ->type_name("DIR");
-  command.add_option("--configs", arguments.configs, "CONFIGS: folder of presets and categories")->type_name("DIR");
+  command.add_option("--configs", arguments.configs, "CONFIGS: folder of presets and categories")
+      ->type_name("DIR");
 }
 
 }  // namespace armature
