@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
@@ -54,6 +55,14 @@ ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera) {
           fmt::format("{}: is {} x {} pixels where the camera has {} x {}; correct sequence.yaml or "
                       "replace the image",
                       file.string(), result.image->cols, result.image->rows, camera.width, camera.height)};
+}
+
+cv::Mat Undistorted(const cv::Mat& image, const Camera& camera) {
+  if (!camera.IsDistorted()) return image;
+  const cv::Matx33d K(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  cv::Mat result;
+  cv::undistort(image, result, K, camera.distortion);
+  return result;
 }
 
 }  // namespace armature

@@ -59,6 +59,7 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   json["program"] = "armature";
   json["version"] = build.version;
   json["sequence"] = summary.sequence;
+  if (!summary.sequence_folder.empty()) json["sequence_folder"] = summary.sequence_folder;
   json["preset"] = summary.preset;
   json["threads"] = summary.threads;
   json["git"] = {{"commit", build.git_commit}, {"dirty", build.git_dirty}};

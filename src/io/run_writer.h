@@ -32,6 +32,8 @@ class RunWriter {
   void AddFrame(const FrameResult& frame);
   // An image that could not be read: it has no rows and is listed in the summary.
   void AddSkippedImage(double timestamp, const std::string& reason);
+  // Where other files of the run can be added until it is finished.
+  const std::filesystem::path& partial() const { return folder_.partial(); }
   // Writes summary.json and puts the folder in place. Nothing may be added afterwards.
   void Finish(const RunSummary& summary);
 
