@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program. Exit status: 0 done, 1 ran and failed, 2 bad usage or bad input.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "app/bench_command.h"
+#include "app/eval_command.h"
+#include "app/generate_command.h"
+#include "app/interrupt.h"
+#include "app/learn_command.h"
+#include "app/photo_command.h"
+#include "app/run_command.h"
+#include "io/build_info.h"
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+int Report(std::string message, int status) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  fmt::print(stderr, "armature: {}\n", message);
+  return status;
+}
+
+std::string VersionText() {
+  const BuildInfo build = GetBuildInfo();
+  return fmt::format("armature {} ({}{})", build.version, build.git_commit,
+                     build.git_dirty ? ", modified" : "");
+}
+
+// Help and version are exceptions too, with status 0.
+int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  std::string command = "armature";
+  for (const CLI::App* parsed : app.get_subcommands()) command += " " + parsed->get_name();
+  return Report(fmt::format("{}; see {} --help", error.what(), command), kBadInput);
+}
+
+int Main(int argc, char** argv) {
+  cv::setNumThreads(1);  // times are of one thread
+  CatchInterrupts();
+  CLI::App app("Armature finds furniture in monocular video from line segments and puts it in the map.",
+               "armature");
+  app.set_version_flag("--version", VersionText());
+  app.require_subcommand(1);
+  int exit_status = 0;
+  AddRunCommand(app, exit_status);
+  AddPhotoCommand(app, exit_status);
+  AddEvalCommand(app, exit_status);
+  AddBenchCommand(app, exit_status);
+  AddLearnCommand(app, exit_status);
+  AddGenerateCommand(app, exit_status);
+  try {
+    app.parse(argc, argv);
+    return exit_status;
+  } catch (const CLI::ParseError& error) {
+    return ReportUsage(app, error);
+  } catch (const InputError& error) {
+    return Report(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return Report(error.what(), kFailed);
+  }
+}
+
+}  // namespace
+}  // namespace armature
+
+int main(int argc, char** argv) { return armature::Main(argc, argv); }

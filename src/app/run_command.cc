@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_command.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+#include "app/run_report.h"
+#include "app/sequence_run.h"
+#include "io/errors.h"
+#include "io/image.h"
+#include "io/run_folder.h"
+#include "io/sequence.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Sequence> LoadSequences(const std::vector<fs::path>& folders,
+                                    const std::vector<std::string>& categories) {
+  std::vector<Sequence> sequences;
+  std::map<std::string, fs::path> folder_of_name;
+  for (const fs::path& folder : folders) {
+    Sequence sequence = LoadSequence(folder, categories);
+    const auto [earlier, is_new] = folder_of_name.emplace(sequence.name, folder);
+    if (!is_new) {
+      throw InputError(
+          fmt::format("{}: has the name '{}' as {} does; run folders are named by it, so give them "
+                      "different names in sequence.yaml or run them one by one",
+                      folder.string(), sequence.name, earlier->second.string()));
+    }
+    sequences.push_back(std::move(sequence));
+  }
+  return sequences;
+}
+
+std::vector<fs::path> RunFolders(const std::vector<Sequence>& sequences, const fs::path& out) {
+  if (sequences.size() == 1) return {out};
+  if (IsCompleteRun(out)) {
+    throw InputError(
+        fmt::format("{}: is the run of one sequence; choose another folder for several", out.string()));
+  }
+  std::vector<fs::path> folders;
+  for (const Sequence& sequence : sequences) folders.push_back(out / sequence.name);
+  return folders;
+}
+
+// What would end the run of a later sequence, found before the first one runs.
+void CheckBeforeRunning(const std::vector<Sequence>& sequences, const std::vector<fs::path>& folders) {
+  for (const Sequence& sequence : sequences) {
+    const ImageResult first = ReadImage(sequence.images.front().file, sequence.camera);
+    if (!first.image) throw InputError(first.error);
+  }
+  for (const fs::path& folder : folders) const RunFolder may_be_written(folder);
+}
+
+}  // namespace
+
+int RunRun(const RunArguments& arguments) {
+  SequenceRunSettings settings;
+  settings.options = LoadOptions(arguments.configuration);
+  settings.models = LoadModels(arguments.configuration);
+  settings.preset = arguments.configuration.preset;
+  settings.config_yaml = ConfigurationText(arguments.configuration, settings.options);
+  settings.overlays = arguments.overlays;
+  settings.frames = arguments.frames;
+
+  const std::vector<Sequence> sequences = LoadSequences(arguments.sequences, CategoryNames(settings.models));
+  const std::vector<fs::path> folders = RunFolders(sequences, arguments.out);
+  CheckBeforeRunning(sequences, folders);
+
+  std::vector<SequenceRunResult> results;
+  for (size_t i = 0; i < sequences.size(); ++i) {
+    results.push_back(RunSequence(sequences[i], settings, folders[i]));
+  }
+  fmt::print("{}", arguments.json ? RunReportJson(results) : RunReportText(results));
+  return 0;
+}
+
+void AddRunCommand(CLI::App& app, int& exit_status) {
+  const auto arguments = std::make_shared<RunArguments>();
+  RunArguments& a = *arguments;
+  CLI::App* run = app.add_subcommand("run", "Find and place the objects of sequences, a run folder each");
+  run->add_option("SEQUENCE", a.sequences, "sequence folders")->required()->type_name("DIR");
+  run->add_option("--out", a.out, "run folder; with several sequences DIR/<sequence name> each")
+      ->required()
+      ->type_name("DIR");
+  AddConfigurationArguments(*run, a.configuration);
+  run->add_flag("--overlays", a.overlays, "also write a picture of each frame");
+  run->add_option("--frames", a.frames, "only the first N images")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  run->add_flag("--json", a.json, "print JSON instead of a table");
+  run->callback([arguments, &exit_status] { exit_status = RunRun(*arguments); });
+}
+
+}  // namespace armature

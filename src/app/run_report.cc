@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_report.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "io/text_table.h"
+
+namespace armature {
+namespace {
+
+// In the order in which they are worth a look.
+const std::vector<std::pair<std::string, std::string>> kFiles = {
+    {"summary.json", "counts, stage times, versions, machine"},
+    {"trajectory.txt", "camera poses T_world_camera (TUM), metric"},
+    {"odometry_scaled.txt", "the odometry alone in the same frame and scale (TUM)"},
+    {"objects.csv", "the map: a row an object"},
+    {"objects_odometry.csv", "the same objects placed by odometry alone"},
+    {"observations.csv", "a row a detection: status, T_camera_object, shape"},
+    {"associations.csv", "which line segment explains which edge"},
+    {"timings.csv", "milliseconds of each stage, a row a frame"},
+    {"config.yaml", "all options as they were"},
+    {"overlays", "a picture a frame: boxes, segments, wireframes"},
+};
+
+Cell MedianCell(const SequenceRunResult& result, const std::string& name) {
+  for (const StageStatistics::Stage& stage : result.statistics.stages()) {
+    if (stage.name == name) return NumberCell(Quantile(stage.milliseconds, 0.5), 2);
+  }
+  return NoCell();
+}
+
+Table RunTable(const std::vector<SequenceRunResult>& results) {
+  Table table;
+  table.columns = {"sequence",   "frames",           "skipped",           "detections", "placed",
+                   "lines [ms]", "association [ms]", "optimization [ms]", "total [ms]"};
+  for (const SequenceRunResult& result : results) {
+    const RunCounts& counts = result.counts;
+    table.rows.push_back(
+        {TextCell(result.sequence), CountCell(counts.frames), CountCell(counts.skipped_images),
+         CountCell(counts.detections), CountCell(counts.observations.front()), MedianCell(result, "lines"),
+         MedianCell(result, "association"), MedianCell(result, "optimization"), MedianCell(result, "total")});
+  }
+  table.notes = {"placed: detections with status ok. Times: median of a frame, all its objects, one thread;",
+                 "total: every stage but loading the image."};
+  return table;
+}
+
+std::string FilesText(const std::filesystem::path& folder) {
+  std::string text;
+  for (const auto& [name, meaning] : kFiles) {
+    if (std::filesystem::exists(folder / name)) text += fmt::format("  {:<20} {}\n", name, meaning);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string RunReportText(const std::vector<SequenceRunResult>& results) {
+  std::string text = FormatTable(RunTable(results), TableFormat::kText);
+  text += "\nResults:\n";
+  for (const SequenceRunResult& result : results) text += fmt::format("  {}\n", result.folder.string());
+  text += results.size() == 1 ? "\nIn it:\n" : "\nIn each of them:\n";
+  return text + FilesText(results.front().folder);
+}
+
+std::string RunReportJson(const std::vector<SequenceRunResult>& results) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SequenceRunResult& result : results) {
+    std::ifstream summary(result.folder / "summary.json");
+    json.push_back({{"sequence", result.sequence},
+                    {"folder", result.folder.string()},
+                    {"summary", nlohmann::ordered_json::parse(summary)}});
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace armature

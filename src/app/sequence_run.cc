@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/sequence_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "app/interrupt.h"
+#include "io/errors.h"
+#include "io/image.h"
+#include "io/image_writer.h"
+#include "io/overlay.h"
+#include "io/progress.h"
+#include "io/run_writer.h"
+#include "pipeline/frame_pipeline.h"
+#include "pipeline/stage_clock.h"
+
+namespace armature {
+namespace {
+
+struct LoadedImage {
+  ImageResult colour;
+  cv::Mat gray;
+  double milliseconds = 0;
+};
+
+LoadedImage Load(const ImageEntry& entry, const Camera& camera) {
+  LoadedImage loaded;
+  const StageClock clock(loaded.milliseconds);
+  loaded.colour = ReadImage(entry.file, camera);
+  if (loaded.colour.image) cv::cvtColor(*loaded.colour.image, loaded.gray, cv::COLOR_BGR2GRAY);
+  return loaded;
+}
+
+FrameResult ProcessFrame(const Sequence& sequence, size_t index, const LoadedImage& image,
+                         FramePipeline& pipeline) {
+  const FrameInput input{sequence.images[index].timestamp, sequence.detections[index],
+                         sequence.T_odom_camera[index]};
+  FrameResult frame = pipeline.Process(image.gray, input);
+  frame.times.load = image.milliseconds;
+  return frame;
+}
+
+void WriteOverlay(const std::filesystem::path& folder, size_t index, const cv::Mat& image,
+                  const FrameResult& frame, const std::vector<CategoryModel>& models, const Camera& camera) {
+  const cv::Mat overlay = DrawOverlay(Undistorted(image, camera), frame, models, camera);
+  WritePicture(folder / "overlays" / fmt::format("{:06}.jpg", index), overlay);
+}
+
+size_t FrameCount(const Sequence& sequence, int limit) {
+  if (limit <= 0) return sequence.images.size();
+  return std::min(sequence.images.size(), static_cast<size_t>(limit));
+}
+
+}  // namespace
+
+SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSettings& settings,
+                              const std::filesystem::path& folder) {
+  RunWriter writer(folder, settings.models);
+  writer.WriteConfig(settings.config_yaml);
+  FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up);
+  const size_t count = FrameCount(sequence, settings.frames);
+  {
+    Progress progress(sequence.name + ": frames", static_cast<long>(count));
+    for (size_t i = 0; i < count; ++i) {
+      ThrowIfInterrupted();
+      const LoadedImage image = Load(sequence.images[i], sequence.camera);
+      if (!image.colour.image) {
+        if (i == 0) throw InputError(image.colour.error);
+        fmt::print(stderr, "armature: skipped {}\n", image.colour.error);
+        writer.AddSkippedImage(sequence.images[i].timestamp, image.colour.error);
+      } else {
+        const FrameResult frame = ProcessFrame(sequence, i, image, pipeline);
+        writer.AddFrame(frame);
+        if (settings.overlays) {
+          WriteOverlay(writer.partial(), i, *image.colour.image, frame, settings.models, sequence.camera);
+        }
+      }
+      progress.Step();
+    }
+  }
+  writer.Finish({.sequence = sequence.name,
+                 .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
+                 .preset = settings.preset});
+  return {sequence.name, folder, writer.counts(), writer.statistics()};
+}
+
+}  // namespace armature
