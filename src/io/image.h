@@ -23,8 +23,8 @@ ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera);
 // The same for an image of any size.
 ImageResult ReadImage(const std::filesystem::path& file);
 
-// The image as a lens without distortion would have made it, of the same camera matrix; shares the pixels when there
-// is no distortion.
+// The image as a lens without distortion would have made it, of the same camera matrix; shares the pixels
+// when there is no distortion.
 cv::Mat Undistorted(const cv::Mat& image, const Camera& camera);
 
 }  // namespace armature
