@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <exception>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/bench_command.h"
 #include "app/eval_command.h"
@@ -17,6 +19,7 @@
 #include "app/run_command.h"
 #include "io/build_info.h"
 #include "io/errors.h"
+#include "io/nearest_name.h"
 
 namespace armature {
 namespace {
@@ -36,9 +39,22 @@ std::string VersionText() {
                      build.git_dirty ? ", modified" : "");
 }
 
+// "armature rnu ...": the command that was probably meant.
+std::optional<std::string> UnknownCommand(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with("-")) return std::nullopt;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(command->get_name());
+  }
+  if (std::find(known.begin(), known.end(), arguments.front()) != known.end()) return std::nullopt;
+  return UnknownNameMessage("command", arguments.front(), known);
+}
+
 // Help and version are exceptions too, with status 0.
-int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
+int ReportUsage(const CLI::App& app, const CLI::ParseError& error,
+                const std::vector<std::string>& arguments) {
   if (error.get_exit_code() == 0) return app.exit(error);
+  if (const auto message = UnknownCommand(app, arguments)) return Report(*message, kBadInput);
   std::string command = "armature";
   for (const CLI::App* parsed : app.get_subcommands()) command += " " + parsed->get_name();
   return Report(fmt::format("{}; see {} --help", error.what(), command), kBadInput);
@@ -62,7 +78,7 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
     return exit_status;
   } catch (const CLI::ParseError& error) {
-    return ReportUsage(app, error);
+    return ReportUsage(app, error, {argv + 1, argv + argc});
   } catch (const InputError& error) {
     return Report(error.what(), kBadInput);
   } catch (const std::exception& error) {

@@ -59,6 +59,8 @@ void CheckBeforeRunning(const std::vector<Sequence>& sequences, const std::vecto
 }  // namespace
 
 int RunRun(const RunArguments& arguments) {
+  if (arguments.frames < 0)
+    throw InputError(fmt::format("--frames {}: has to be 1 or more, 0 for all", arguments.frames));
   SequenceRunSettings settings;
   settings.options = LoadOptions(arguments.configuration);
   settings.models = LoadModels(arguments.configuration);
@@ -89,8 +91,8 @@ void AddRunCommand(CLI::App& app, int& exit_status) {
       ->type_name("DIR");
   AddConfigurationArguments(*run, a.configuration);
   run->add_flag("--overlays", a.overlays, "also write a picture of each frame");
-  run->add_option("--frames", a.frames, "only the first N images")
-      ->check(CLI::PositiveNumber)
+  run->add_option("--frames", a.frames, "only the first N images (0: all)")
+
       ->type_name("N");
   run->add_flag("--json", a.json, "print JSON instead of a table");
   run->callback([arguments, &exit_status] { exit_status = RunRun(*arguments); });
