@@ -49,20 +49,18 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
   return -std::log((1 - options.azimuth_outliers) * std::exp(-0.5 * off * off) + options.azimuth_outliers * 0.1);
 }
 
-double ShapeCost(const ObjectView& view, const Eigen::VectorXd& coefficients) {
-  if (!view.memory) return coefficients.squaredNorm();
-  return ((coefficients - view.memory->expected.coefficients) / view.memory->shape_sigma).squaredNorm();
+double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
+  const ObjectMemory& memory = *view.memory;
+  const Eigen::Matrix3d R = at.T_camera_object.linear();
+  const Eigen::VectorXd difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
+  const double sigmas = (memory.sqrt_information * difference).norm();
+  const double yaw = std::atan2(R.col(2).dot(memory.yaw_quarter), R.col(2).dot(memory.yaw_zero));
+  return options.memory_weight * GemanMcClure(sigmas, options.memory_loss_scale) +
+         std::min(options.yaw_memory_cap, options.azimuth_weight * memory.belief.At(yaw));
 }
 
-double MemoryCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object, const CostOptions& options) {
-  if (!view.memory) return 0;
-  const ObjectMemory& memory = *view.memory;
-  const Eigen::Vector3d off = T_camera_object.translation() - memory.expected.T_camera_object.translation();
-  const double squared = off.dot(memory.position_covariance.llt().solve(off));
-  const Eigen::Vector3d front = T_camera_object.linear().col(2);
-  const double yaw = std::atan2(front.dot(memory.yaw_quarter), front.dot(memory.yaw_zero));
-  return options.memory_weight * GemanMcClure(std::sqrt(squared), 3) +
-         std::min(options.yaw_memory_cap, options.azimuth_weight * memory.yaw.At(yaw));
+double ShapeCost(const PoseAndShape& at, const CostOptions& options) {
+  return options.shape_weight * at.coefficients.squaredNorm();
 }
 
 double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
@@ -77,22 +75,11 @@ double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
 
 }  // namespace
 
-double YawBelief::At(double yaw) const {
-  const double position = (WrapAngle(yaw) + M_PI) / (2 * M_PI) * kBins - 0.5;  // bin centres are at whole numbers
-  const double floor = std::floor(position);
-  const auto bin = [&](int offset) {
-    return cost[static_cast<size_t>((static_cast<int>(floor) + offset + kBins) % kBins)];
-  };
-  const double share = position - floor;
-  return (1 - share) * bin(0) + share * bin(1);
-}
-
 double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
                  const ProjectedWireframe& projected, const BoxOptions& box_options, const CostOptions& options) {
   return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
-         options.shape_weight * ShapeCost(view, estimate.coefficients) +
-         MemoryCost(view, estimate.T_camera_object, options) +
+         (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
          options.floor_weight * FloorCost(view, estimate) + HiddenCost(view, sides);
 }
 

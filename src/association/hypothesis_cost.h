@@ -19,7 +19,8 @@ struct CostOptions {
   double azimuth_weight = 1;           // of the prior's negative log-likelihood
   double shape_weight = 0.15;          // of the squared coefficients
   double floor_weight = 0.5;           // of the squared, robust floor residual
-  double memory_weight = 0.5;          // of the squared, robust distance from the remembered position
+  double memory_weight = 0.3;          // of the squared, robust distance from the remembered pose and shape
+  double memory_loss_scale = 4;        // standard deviations
   double yaw_memory_cap = 6;           // the remembered viewpoint priors cost at most this
 };
 

@@ -46,13 +46,21 @@ struct YawBelief {
   double At(double yaw) const;
 };
 
-// What earlier frames say about an object that has been seen before.
+// What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4 + B numbers,
+// T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients. It is joint because what
+// was seen may be one end of a table: then neither its centre nor its length is known, but their difference is.
 struct ObjectMemory {
-  PoseAndShape expected;                  // in this camera; the shape is the average of its earlier views
-  Eigen::Matrix3d position_covariance;    // of the expected translation, camera frame, metres^2
-  double shape_sigma = 1;                 // standard deviation of each coefficient about the expected one
-  YawBelief yaw;                          // of the direction of the object's z axis
+  PoseAndShape expected;                // in this camera
+  Eigen::MatrixXd sqrt_information;     // L^T, (4+B) x (4+B), L L^T the information of z
+  YawBelief belief;                     // of the direction of the object's z axis
   Eigen::Vector3d yaw_zero, yaw_quarter;  // the horizontal directions of yaw 0 and 90 degrees, unit, camera frame
+
+  // z - z_expected of a pose and shape; the yaw's difference is taken from the direction of the object's front.
+  Eigen::VectorXd Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
+                             const Eigen::VectorXd& coefficients) const;
+  // The horizontal direction 90 degrees ahead of the expected front: the front's component along it is the yaw's
+  // difference to first order.
+  Eigen::Vector3d AheadOfFront() const;
 };
 
 struct ObjectView {

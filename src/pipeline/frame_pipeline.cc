@@ -67,7 +67,7 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
   if (remembers) {
     const StageClock clock(result.times.mapping);
     tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
-    for (size_t i = 0; i < views.size(); ++i) views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera);
+    for (size_t i = 0; i < views.size(); ++i) views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, up.up_camera);
   }
   result.observations.resize(views.size());
   std::vector<ObjectEstimation> estimations(views.size());

@@ -147,24 +147,22 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
   return matches.empty() ? 0 : std::sqrt(sum / static_cast<double>(matches.size()));
 }
 
-void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
-             const ResectionOptions& resection, ObjectEstimation& result) {
+Measurement Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
+                    const ResectionOptions& resection) {
   ObjectView alone = view;
   alone.memory.reset();
   alone.floor.reset();
   const BoxSides& sides = best.hypothesis.sides;
   ProjectedWireframe projected;
-  result.measured = best.estimate;
+  PoseAndShape optimum = best.estimate;
   for (int round = 0; round < 2; ++round) {
-    Project(alone, result.measured, sides, projected);
-    const ResectionResult resected =
-        Resect(alone, sides, best.matches, projected, result.measured, association.box, resection);
+    Project(alone, optimum, sides, projected);
+    const ResectionResult resected = Resect(alone, sides, best.matches, projected, optimum, association.box, resection);
     if (!resected.finite) break;
-    result.measured = resected.estimate;
+    optimum = resected.estimate;
   }
-  Project(alone, result.measured, sides, projected);
-  result.measured_covariance =
-      PoseCovariance(alone, sides, best.matches, projected, result.measured, association.box, resection);
+  Project(alone, optimum, sides, projected);
+  return MeasureFreely(alone, sides, best.matches, projected, optimum, association.box, resection);
 }
 
 }  // namespace
@@ -184,7 +182,7 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   ProjectedWireframe projected;
   Project(view, best->estimate, best->hypothesis.sides, projected);
   ObjectEstimation result;
-  Measure(view, *best, association, resection, result);
+  result.measured = Measure(view, *best, association, resection);
   result.initial = best->hypothesis.start;
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;

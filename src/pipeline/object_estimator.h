@@ -35,10 +35,9 @@ struct EstimatorTimes {
 
 struct ObjectEstimation {
   ObjectEstimate estimate;
-  // The same matches resected without what earlier frames said (memory, floor): what this image alone measures, to
-  // learn from. Learning from the estimate would count the memory twice.
-  PoseAndShape measured;
-  Eigen::Matrix<double, 6, 6> measured_covariance;  // as ObjectEstimate::covariance
+  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to learn from.
+  // Learning from the estimate would count the memory twice.
+  Measurement measured;
   PoseAndShape initial;  // the winning hypothesis before resection
 };
 

@@ -13,34 +13,69 @@
 namespace armature {
 namespace {
 
-// Yaw is the direction of the object's front about the up axis, from the odometry's x axis... any fixed horizontal one.
 constexpr double kVoteSigma = 12 * kDegree;
 constexpr double kVoteOutliers = 0.05;
 
-// Two fixed axes of the odometry's frame that span the plane to which an upright object's y axis is normal.
-void HorizontalAxes(const Eigen::Vector3d& up, Eigen::Vector3d& zero, Eigen::Vector3d& quarter) {
-  // The camera's first optical axis is seldom vertical.
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  zero = (z - z.dot(up) * up);
-  if (zero.norm() < 0.1) zero = up.unitOrthogonal();
-  zero.normalize();
-  quarter = up.cross(zero);
+// Covariance of (position, yaw, shape) with the position's unit changed by the factor.
+Eigen::MatrixXd InUnit(const Eigen::MatrixXd& covariance, double factor) {
+  Eigen::MatrixXd result = covariance;
+  result.topRows<3>() *= factor;
+  result.leftCols<3>() *= factor;
+  return result;
 }
+
+// Two horizontal directions, at yaw 0 and 90 degrees, that stay where they are in the odometry's frame as the estimate of
+// up changes a little: the odometry's z axis, the first camera's optical axis, is seldom vertical.
+struct HorizontalAxes {
+  Eigen::Vector3d zero, quarter;
+
+  explicit HorizontalAxes(const Eigen::Vector3d& up) {
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    zero = z - z.dot(up) * up;
+    if (zero.norm() < 0.1) zero = up.unitOrthogonal();
+    zero.normalize();
+    quarter = up.cross(zero);
+  }
+  double YawOf(const Eigen::Vector3d& front) const { return std::atan2(front.dot(quarter), front.dot(zero)); }
+  Eigen::Matrix3d Rotation(double yaw, const Eigen::Vector3d& up) const {
+    const Eigen::Vector3d front = std::cos(yaw) * zero + std::sin(yaw) * quarter;
+    Eigen::Matrix3d R;
+    R << up.cross(front), up, front;
+    return R;
+  }
+};
 
 }  // namespace
 
-Eigen::Vector3d ObjectTracks::ExpectedTranslation(const Track& track, const Eigen::Isometry3d& T_odom_camera) const {
-  return T_odom_camera.linear().transpose() * (track.position - scale_ * T_odom_camera.translation());
+ObjectTracks::Track ObjectTracks::NewTrack(const CategoryModel& model) const {
+  Track track;
+  track.model = &model;
+  const int n = track.unknowns();
+  track.normal = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  track.right_side = Eigen::VectorXd::Zero(n + 1);
+  track.state = Eigen::VectorXd::Zero(n);
+  track.covariance = Eigen::MatrixXd::Identity(n, n);
+  track.by_units = Eigen::VectorXd::Zero(n);
+  return track;
+}
+
+PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
+                                    const Eigen::Vector3d& up_odom) const {
+  const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
+  PoseAndShape expected;
+  expected.T_camera_object.linear() = R_camera_odom * HorizontalAxes(up_odom).Rotation(track.state(3), up_odom);
+  expected.T_camera_object.translation() =
+      R_camera_odom * (track.state.head<3>() - T_odom_camera.translation()) / units_;
+  expected.coefficients = track.state.tail(track.model->modes());
+  return expected;
 }
 
 Box ObjectTracks::ExpectedBox(const Track& track, const Camera& camera, const Eigen::Isometry3d& T_odom_camera) const {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = T_odom_camera.linear().transpose() * track.R_odom_object;
-  T.translation() = ExpectedTranslation(track, T_odom_camera);
+  const PoseAndShape expected = Expected(track, T_odom_camera, track.up_odom);
   ProjectedWireframe projected;
   const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
-  ProjectWireframe(camera, track.model->spec, WireframeFromCoefficients(*track.model, track.shape), T, image, {},
-                   projected);
+  ProjectWireframe(camera, track.model->spec, WireframeFromCoefficients(*track.model, expected.coefficients),
+                   expected.T_camera_object, image, {}, projected);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   if (extremes[0].edge < 0) return {};
   return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
@@ -73,115 +108,158 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
   return result;
 }
 
-std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera) const {
+std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera,
+                                                 const Eigen::Vector3d& up_camera) const {
   if (index < 0) return std::nullopt;
   const Track& track = tracks_[static_cast<size_t>(index)];
   if (track.observations < options_.min_observations) return std::nullopt;
   const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
+  const Eigen::Vector3d up_odom = T_odom_camera.linear() * up_camera;
   ObjectMemory memory;
-  memory.expected.T_camera_object.linear() = R_camera_odom * track.R_odom_object;
-  memory.expected.T_camera_object.translation() = ExpectedTranslation(track, T_odom_camera);
-  const double distance = memory.expected.T_camera_object.translation().norm();
+  memory.expected = Expected(track, T_odom_camera, up_odom);
   if (memory.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
-  const double least = std::max(options_.min_sigma, options_.min_relative_sigma * distance);
-  memory.position_covariance = R_camera_odom * track.covariance * R_camera_odom.transpose();
-  memory.position_covariance.diagonal().array() += least * least;
-  const double n = track.observations;
-  memory.expected.coefficients = n / (n + 2) * track.shape;
-  memory.shape_sigma = std::max(0.4, 1 / std::sqrt(1 + 0.3 * n));
-  memory.yaw = track.yaw;
-  const Eigen::Vector3d up = track.R_odom_object.col(1);
-  HorizontalAxes(up, memory.yaw_zero, memory.yaw_quarter);
-  memory.yaw_zero = R_camera_odom * memory.yaw_zero;
-  memory.yaw_quarter = R_camera_odom * memory.yaw_quarter;
+  // Never too sure of it: floors keep a wrong memory correctable.
+  const double position_sigma = options_.min_relative_sigma * memory.expected.T_camera_object.translation().norm();
+  Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
+  covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
+  covariance(3, 3) += std::pow(options_.min_yaw_sigma_deg * kDegree, 2);
+  covariance.diagonal().tail(track.model->modes()).array() += options_.min_shape_sigma * options_.min_shape_sigma;
+  Eigen::MatrixXd to_camera = Eigen::MatrixXd::Identity(track.unknowns(), track.unknowns());
+  to_camera.topLeftCorner<3, 3>() = R_camera_odom;
+  covariance = to_camera * covariance * to_camera.transpose();
+  // I = L L^T, and the residual is whitened by L^T.
+  memory.sqrt_information = covariance.inverse().llt().matrixU();
+  memory.belief = track.belief;
+  const HorizontalAxes axes(up_odom);
+  memory.yaw_zero = R_camera_odom * axes.zero;
+  memory.yaw_quarter = R_camera_odom * axes.quarter;
   return memory;
-}
-
-void ObjectTracks::Vote(Track& track, const ObjectView& view, const ObjectEstimation& estimation,
-                        const Eigen::Isometry3d& T_odom_camera) const {
-  if (!view.detection.azimuth) return;
-  const Eigen::Isometry3d& T = estimation.measured.T_camera_object;
-  // Turning the estimate to the prior's azimuth gives the prior's front.
-  const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
-  const Eigen::Matrix3d R = T_odom_camera.linear() * T.linear() *
-                            Eigen::AngleAxisd(azimuth - *view.detection.azimuth, Eigen::Vector3d::UnitY());
-  Eigen::Vector3d zero, quarter;
-  HorizontalAxes(R.col(1), zero, quarter);
-  const double voted = std::atan2(R.col(2).dot(quarter), R.col(2).dot(zero));
-  double least = 1e9;
-  for (int bin = 0; bin < YawBelief::kBins; ++bin) {
-    const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
-    const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
-    double& cost = track.yaw.cost[static_cast<size_t>(bin)];
-    cost = options_.fading * cost - options_.vote_weight *
-                                        std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
-    least = std::min(least, cost);
-  }
-  for (double& cost : track.yaw.cost) cost -= least;
 }
 
 void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
                          const Eigen::Isometry3d& T_odom_camera) {
   if (index < 0) {
-    tracks_.emplace_back();
+    tracks_.push_back(NewTrack(*view.model));
     index = static_cast<int>(tracks_.size()) - 1;
-    tracks_.back().model = view.model;
-    tracks_.back().shape = Eigen::VectorXd::Zero(view.model->modes());
   }
   Track& track = tracks_[static_cast<size_t>(index)];
-  const Eigen::Vector3d t = estimation.measured.T_camera_object.translation();
-  const Eigen::Vector3d ray = t.normalized();
-  Eigen::Matrix3d covariance = estimation.measured_covariance.bottomRightCorner<3, 3>() * options_.measurement_scale *
-                               options_.measurement_scale;
-  // The expected distance, not the measured one: near errors would weigh more than far ones.
-  const bool known = track.observations >= options_.min_observations;
-  const double distance = known ? ExpectedTranslation(track, T_odom_camera).norm() : t.norm();
-  const double depth_sigma = options_.depth_sigma * distance;
-  const double lateral_sigma = options_.lateral_sigma * distance;
-  covariance += depth_sigma * depth_sigma * ray * ray.transpose() +
-                lateral_sigma * lateral_sigma * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d R = T_odom_camera.linear();
-  const Eigen::Matrix3d information = (R * covariance * R.transpose()).inverse();
-  // y = [I, -c] (p, s)
-  Eigen::Matrix<double, 3, 4> A;
-  A << Eigen::Matrix3d::Identity(), -T_odom_camera.translation();
-  double weight = 1;
-  if (known) {
-    const Eigen::Vector3d off = R * (t - ExpectedTranslation(track, T_odom_camera));
-    weight = 1 / (1 + off.dot((track.covariance + information.inverse()).llt().solve(off)) / 6);
-  }
-  track.normal = options_.fading * track.normal + weight * A.transpose() * information * A;
-  track.right_side = options_.fading * track.right_side + weight * A.transpose() * information * (R * t);
-  const double gain = std::max(0.08, 1.0 / (track.observations + 1));
-  track.shape += weight * gain * (estimation.measured.coefficients - track.shape);
-  track.R_odom_object = R * estimation.estimate.T_camera_object.linear();
+  if (view.up_camera) track.up_odom = T_odom_camera.linear() * *view.up_camera;
+  Accumulate(track, estimation, T_odom_camera);
+  Vote(track, view, estimation, T_odom_camera);
   track.last_seen = timestamp;
   ++track.observations;
-  Vote(track, view, estimation, T_odom_camera);
+}
+
+void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
+                              const Eigen::Isometry3d& T_odom_camera) {
+  const int n = track.unknowns(), B = n - 4;
+  const Eigen::Matrix3d R = T_odom_camera.linear();
+  const Eigen::Isometry3d& T = estimation.measured.estimate.T_camera_object;
+  const Eigen::Vector3d t = T.translation(), ray = t.normalized();
+  const bool known = track.observations >= options_.min_observations;
+
+  // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's axes.
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, 6 + B);
+  G.block<3, 3>(0, 3) = R;
+  G.block<1, 3>(3, 0) = (R.transpose() * track.up_odom).transpose();
+  G.block(4, 6, B, B).setIdentity();
+  Eigen::MatrixXd covariance =
+      options_.measurement_scale * options_.measurement_scale * G * estimation.measured.covariance * G.transpose();
+  // The expected distance, not the measured one: near errors would weigh more than far ones.
+  const double distance =
+      known ? Expected(track, T_odom_camera, track.up_odom).T_camera_object.translation().norm() : t.norm();
+  const double depth_sigma = options_.depth_sigma * distance, lateral_sigma = options_.lateral_sigma * distance;
+  covariance.topLeftCorner<3, 3>() += depth_sigma * depth_sigma * R * ray * ray.transpose() * R.transpose();
+  covariance.diagonal().head<3>().array() += lateral_sigma * lateral_sigma;
+  covariance(3, 3) += std::pow(options_.yaw_sigma_deg * kDegree, 2);
+  covariance.diagonal().tail(B).array() += options_.shape_sigma * options_.shape_sigma;
+
+  covariance = InUnit(covariance, units_);
+
+  // [I, -R t] (z, u) = y
+  const double yaw = HorizontalAxes(track.up_odom).YawOf(R * T.linear().col(2));
+  const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
+  Eigen::VectorXd y(n);
+  y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw), estimation.measured.estimate.coefficients;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + 1);
+  A.leftCols(n).setIdentity();
+  A.block<3, 1>(0, n) = -R * t;
+  double weight = 1;
+  if (known) {
+    Eigen::VectorXd off = track.state - y;
+    off.head<3>() -= units_ * R * t;
+    weight = 1 / (1 + off.dot((track.covariance + covariance).llt().solve(off)) / (2 * n));
+  }
+  if (known) LearnUnits(track, T_odom_camera, t.norm(), R * ray, (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
+  const Eigen::MatrixXd information = weight * covariance.inverse();
+  track.normal = options_.fading * track.normal + A.transpose() * information * A;
+  track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
+}
+
+// log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The more of
+// q itself rests on u (share f: all of it without a baseline), the less there is to learn.
+void ObjectTracks::LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                              const Eigen::Vector3d& ray_odom, double variance_along) {
+  const Eigen::Vector3d to_object = track.state.head<3>() - T_odom_camera.translation();
+  const double expected = to_object.dot(ray_odom);
+  if (expected <= 0) return;
+  const double f = std::clamp(track.by_units.head<3>().dot(ray_odom) * units_ / expected, 0.0, 1.0);
+  const double expected_variance = ray_odom.dot(track.covariance.topLeftCorner<3, 3>() * ray_odom);
+  const double variance = (variance_along + expected_variance) / (expected * expected);
+  const double error = std::log(distance) + log_units_ - std::log(expected);  // 0 if u is right
+  const double slope = 1 - f;
+  const double gain_information = slope * slope / (variance * (1 + error * error / (6 * variance)));
+  units_information_ = 0.995 * units_information_ + gain_information;
+  log_units_ -= gain_information / units_information_ * error / std::max(slope, 0.05);
+}
+
+void ObjectTracks::Vote(Track& track, const ObjectView& view, const ObjectEstimation& estimation,
+                        const Eigen::Isometry3d& T_odom_camera) const {
+  if (!view.detection.azimuth) return;
+  const Eigen::Isometry3d& T = estimation.estimate.T_camera_object;
+  // Turning the estimate to the prior's azimuth gives the prior's front.
+  const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+  const Eigen::Matrix3d R = T_odom_camera.linear() * T.linear() *
+                            Eigen::AngleAxisd(azimuth - *view.detection.azimuth, Eigen::Vector3d::UnitY());
+  const double voted = HorizontalAxes(track.up_odom).YawOf(R.col(2));
+  double least = 1e9;
+  for (int bin = 0; bin < YawBelief::kBins; ++bin) {
+    const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
+    const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
+    double& cost = track.belief.cost[static_cast<size_t>(bin)];
+    cost = options_.fading * cost - options_.vote_weight *
+                                        std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
+    least = std::min(least, cost);
+  }
+  for (double& cost : track.belief.cost) cost -= least;
+}
+
+// Half a turn back where the votes of all frames have come to favour it.
+void ObjectTracks::TurnToBelief(Track& track) const {
+  const double clearly = 2;
+  if (track.belief.At(track.state(3)) < track.belief.At(track.state(3) + M_PI) + clearly) return;
+  track.right_side += track.normal.col(3) * M_PI;  // normal * (z + pi e_yaw) = right side + normal * pi e_yaw
+  track.state(3) += M_PI;
 }
 
 std::optional<double> ObjectTracks::Scale() const {
-  if (scale_sigma_ > 0.1 * scale_) return std::nullopt;
-  return scale_;
+  if (units_information_ < 100) return std::nullopt;  // a tenth
+  return 1 / units_;
 }
 
 void ObjectTracks::Update(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
-  // Eliminate every p: what remains is one equation for s.
-  double information = 1 / (options_.scale_sigma * options_.scale_sigma), right_side = information;
-  for (const Track& track : tracks_) {
-    const Eigen::Matrix3d pp = track.normal.topLeftCorner<3, 3>();
-    const Eigen::Vector3d ps = track.normal.topRightCorner<3, 1>();
-    const Eigen::Vector3d by_p = pp.llt().solve(ps);
-    information += track.normal(3, 3) - ps.dot(by_p);
-    right_side += track.right_side(3) - by_p.dot(track.right_side.head<3>());
-  }
-  scale_ = std::max(0.0, right_side / information);
-  scale_sigma_ = 1 / std::sqrt(information);
+  units_ = std::exp(log_units_);
   for (Track& track : tracks_) {
-    const Eigen::LLT<Eigen::Matrix3d> pp(track.normal.topLeftCorner<3, 3>());
-    track.position = pp.solve(track.right_side.head<3>() - scale_ * track.normal.topRightCorner<3, 1>());
-    track.covariance = pp.solve(Eigen::Matrix3d::Identity());
+    const int n = track.unknowns();
+    Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
+    zz.diagonal().tail(n - 4).array() += 1;         // the category's shape statistics
+    zz.diagonal().head<4>().array() += 1e-6;
+    const Eigen::LLT<Eigen::MatrixXd> factor(zz);
+    track.by_units = -factor.solve(track.normal.topRightCorner(n, 1));
+    track.state = factor.solve(track.right_side.head(n)) + units_ * track.by_units;
+    track.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
+    TurnToBelief(track);
   }
 }
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the frames so far say about the objects in view: a prior for the next frame's association and resection.
 //
-// Positions and scale. In frame i the odometry gives the camera's rotation R_i and its position c_i, of unknown scale s;
-// resection gives the object's position t_i in the camera, metric, with its covariance. A static object at p satisfies
-//   R_i t_i = p - s c_i,
-// linear in p and s: each track keeps the 4x4 normal equations of its p and s, all tracks share s, and old frames fade.
-// Bearings are good and depths are not, so the covariances matter: they let the baseline triangulate.
-// Turning in place leaves s open and p as it is.
+// Each track is a linear filter over z = (q, yaw, lambda): the object's centre q in the odometry's frame and unit, its turn
+// about up, and its shape. In frame i the odometry gives the camera's rotation R_i and its position c_i; resection measures
+// t_i, the object's position in the camera in metres, its yaw and its shape, with their joint covariance. With u units of
+// odometry a metre, the same for all objects, and objects that do not move,
+//   q - u R_i t_i = c_i,   yaw = yaw_i,   lambda = lambda_i,
+// linear in z and u: each track keeps the normal equations of its z and u, and old frames fade.
+// Bearings are good and depths are not, one end of a table says nothing of the other: so the covariances matter, they let
+// the baseline triangulate and the views complete each other. Turning in place leaves u open and q / u as it is.
+// (With metric centres and an unknown scale of c_i the equations are linear too, but noisy bearings then shrink the map:
+// the residuals across the rays vanish with the scale. We measured 18 % after 20 frames.)
 //
-// Turns. Each viewpoint prior is a vote for a direction of the object's front; priors that are turned by 180 degrees in
+// Fronts. Each viewpoint prior is a vote for a direction of the object's front; priors that are turned by 180 degrees in
 // one frame are outvoted by the others.
 #pragma once
 
@@ -27,13 +31,15 @@ struct TrackOptions {
   double measurement_scale = 2;    // multiplies the standard deviations of resection
   double depth_sigma = 0.08;       // share of the distance, added along the ray: one view's error of size
   double lateral_sigma = 0.025;    // share of the distance, added across the ray: bearing, drift, the centre's definition
-  double min_sigma = 0.04;         // metres: a remembered position is never surer
-  double min_relative_sigma = 0.03;  // share of the distance: nor surer than this
+  double yaw_sigma_deg = 4;        // degrees, added to one view's yaw
+  double shape_sigma = 0.5;        // added to one view's coefficients, standard deviations of the category
+  double min_relative_sigma = 0.03;  // share of the distance: a remembered position is never surer
+  double min_yaw_sigma_deg = 2;    // degrees: nor a remembered yaw
+  double min_shape_sigma = 0.2;    // nor a remembered coefficient
   double vote_weight = 0.6;        // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
   int min_edges = 3;               // matched edges of an estimate that is learnt from
   int min_observations = 2;        // before a track is used
   double max_gap = 5;              // seconds unseen, then it is dropped
-  double scale_sigma = 3.0;        // of the logarithm-like prior on the scale, about 1; hardly a constraint
 };
 
 class ObjectTracks {
@@ -44,7 +50,8 @@ class ObjectTracks {
   std::vector<int> Associate(double timestamp, const std::vector<ObjectView>& views,
                              const Eigen::Isometry3d& T_odom_camera) const;
 
-  std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera) const;
+  std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
+                                     const Eigen::Vector3d& up_camera) const;
 
   // Adds an accepted estimate to its track, or starts one (track -1).
   void Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
@@ -53,31 +60,41 @@ class ObjectTracks {
   // Metres per unit of odometry as the objects tell, once its standard deviation is below a tenth of it.
   std::optional<double> Scale() const;
 
-  // Solves for positions and scale, forgets what was not seen for long.
+  // Solves for positions, turns, shapes and scale; forgets what was not seen for long.
   void Update(double timestamp);
 
  private:
+  // Unknowns of a track's normal equations: q (3), yaw, lambda (B), u.
   struct Track {
     const CategoryModel* model = nullptr;
     int observations = 0;
-    double last_seen = 0;                                       // seconds
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();           // of (p, s)
-    Eigen::Vector4d right_side = Eigen::Vector4d::Zero();
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();         // p: metres, axes of the odometry
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();   // of p given s
-    Eigen::Matrix3d R_odom_object = Eigen::Matrix3d::Identity();  // last
-    Eigen::VectorXd shape;                                      // running mean of the coefficients
-    YawBelief yaw;
+    double last_seen = 0;         // seconds
+    Eigen::MatrixXd normal;       // (5+B) x (5+B)
+    Eigen::VectorXd right_side;   // 5+B
+    Eigen::VectorXd state;        // 4+B: q, yaw, lambda
+    Eigen::MatrixXd covariance;   // (4+B) x (4+B), given u
+    Eigen::VectorXd by_units;     // 4+B: derivative of the state by u
+    Eigen::Vector3d up_odom{0, -1, 0};
+    YawBelief belief;
+
+    int unknowns() const { return 4 + static_cast<int>(model->modes()); }
   };
-  Eigen::Vector3d ExpectedTranslation(const Track& track, const Eigen::Isometry3d& T_odom_camera) const;
+  Track NewTrack(const CategoryModel& model) const;
+  PoseAndShape Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
+                        const Eigen::Vector3d& up_odom) const;
   Box ExpectedBox(const Track& track, const Camera& camera, const Eigen::Isometry3d& T_odom_camera) const;
+  void Accumulate(Track& track, const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera);
+  void LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                  const Eigen::Vector3d& ray_odom, double variance_along);
   void Vote(Track& track, const ObjectView& view, const ObjectEstimation& estimation,
             const Eigen::Isometry3d& T_odom_camera) const;
+  void TurnToBelief(Track& track) const;
 
   TrackOptions options_;
   std::vector<Track> tracks_;
-  double scale_ = 0;        // metres per unit of odometry
-  double scale_sigma_ = 1e9;
+  double units_ = 1;  // u: units of odometry a metre
+  double log_units_ = 0;
+  double units_information_ = 0.1;  // of log u
 };
 
 }  // namespace armature

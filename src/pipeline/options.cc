@@ -40,13 +40,15 @@ void AddTrackOptions(TrackOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("tracks.measurement_scale", &o.measurement_scale, "multiplies resection's standard deviations", 0.1, 100));
   t.push_back(Option("tracks.depth_sigma", &o.depth_sigma, "of one view's depth, share of the distance", 0, 1));
   t.push_back(Option("tracks.lateral_sigma", &o.lateral_sigma, "across the ray, share of the distance", 0, 1));
-  t.push_back(Option("tracks.min_sigma", &o.min_sigma, "a remembered position is never surer, metres", 0.001, 10));
-  t.push_back(Option("tracks.min_relative_sigma", &o.min_relative_sigma, "nor surer than this share of the distance", 0, 1));
+  t.push_back(Option("tracks.yaw_sigma_deg", &o.yaw_sigma_deg, "of one view's yaw, degrees", 0, 180));
+  t.push_back(Option("tracks.shape_sigma", &o.shape_sigma, "added to one view's shape coefficients", 0, 100));
+  t.push_back(Option("tracks.min_yaw_sigma_deg", &o.min_yaw_sigma_deg, "a remembered yaw is never surer, degrees", 0.01, 180));
+  t.push_back(Option("tracks.min_shape_sigma", &o.min_shape_sigma, "nor a remembered shape coefficient", 0.001, 100));
+  t.push_back(Option("tracks.min_relative_sigma", &o.min_relative_sigma, "a remembered position is never surer, share of the distance", 0.001, 1));
   t.push_back(Option("tracks.vote_weight", &o.vote_weight, "of one viewpoint prior", 0, 1));
   t.push_back(Option("tracks.min_edges", &o.min_edges, "matched edges of an estimate that is learnt from", 1, 100));
   t.push_back(Option("tracks.min_observations", &o.min_observations, "before a track is used", 1, 1000));
   t.push_back(Option("tracks.max_gap", &o.max_gap, "unseen, before a track is dropped, seconds", 0, 1e6));
-  t.push_back(Option("tracks.scale_sigma", &o.scale_sigma, "of the prior on the odometry's scale about 1", 0.01, 1e6));
 }
 
 void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
@@ -76,6 +78,7 @@ void AddCostOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.shape_weight", &c.shape_weight, "of the squared shape coefficients", 0, 1000));
   t.push_back(Option("association.floor_weight", &c.floor_weight, "of the squared floor residual", 0, 1000));
   t.push_back(Option("association.memory_weight", &c.memory_weight, "of the squared distance from the remembered position", 0, 1000));
+  t.push_back(Option("association.memory_loss_scale", &c.memory_loss_scale, "of that distance, standard deviations", 0.1, 1000));
   t.push_back(Option("association.yaw_memory_cap", &c.yaw_memory_cap, "the remembered viewpoint priors cost at most this", 0, 1000));
 }
 

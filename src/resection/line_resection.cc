@@ -88,22 +88,6 @@ void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProble
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 
-// Where the object was expected: three planes through the remembered centre, along the axes of its uncertainty.
-void AddMemory(const ObjectView& view, ResectionProblem& problem) {
-  if (!view.memory) return;
-  const ObjectMemory& memory = *view.memory;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(memory.position_covariance);
-  const ShapePoint center{Eigen::Vector3d::Zero(), ShapeJacobian::Zero(3, problem.Modes())};
-  const Eigen::Vector3d expected = memory.expected.T_camera_object.translation();
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d axis = axes.eigenvectors().col(i);
-    const double sigma = std::sqrt(std::max(axes.eigenvalues()(i), 1e-8));
-    problem.plane_terms.push_back({center, axis, -axis.dot(expected), 1 / sigma, 3.0});
-  }
-  problem.expected_shape = memory.expected.coefficients;
-  problem.shape_weight /= memory.shape_sigma;
-}
-
 ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
                              const ProjectedWireframe& projected, const PoseAndShape& start,
                              const BoxOptions& box_options, const ResectionOptions& options) {
@@ -113,7 +97,7 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, cons
   problem.R0 = start.T_camera_object.linear();
   problem.T0 = start.T_camera_object.translation();
   problem.shape_weight = options.shape_weight;
-  problem.expected_shape = Eigen::VectorXd::Zero(problem.Modes());
+  if (view.memory) problem.memory = &*view.memory;
   if (view.up_camera) {
     problem.normal_term = NormalTermFromName(options.normal_term);
     problem.up_camera = *view.up_camera;
@@ -125,7 +109,6 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, cons
   AddMatches(matches, projected, options, problem);
   AddBox(view, sides, projected, box_options, options, problem);
   AddFloor(view, start, problem);
-  AddMemory(view, problem);
   return problem;
 }
 
@@ -143,6 +126,23 @@ int SolveAlternating(Solver& solver, ResectionProblem& problem, Solver::Paramete
   }
   problem.pose_is_free = problem.shape_is_free = true;
   return iterations;
+}
+
+Eigen::MatrixXd JacobianAt(const ResectionProblem& problem, const Eigen::VectorXd& coefficients) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
+  x.tail(problem.Modes()) = coefficients;
+  Eigen::VectorXd residuals(problem.NumResiduals());
+  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
+  problem(x.data(), residuals.data(), J.data());
+  return J;
+}
+
+// A direction of the pose that nothing observes gets a large but finite variance: 1 rad, 10 m.
+Eigen::MatrixXd Regular(const ResectionProblem& problem) {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(problem.NumParameters(), problem.NumParameters());
+  information.diagonal().head<3>().setConstant(1.0);
+  information.diagonal().segment<3>(3).setConstant(0.01);
+  return information;
 }
 
 }  // namespace
@@ -173,16 +173,32 @@ Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSide
                                            const PoseAndShape& estimate, const BoxOptions& box_options,
                                            const ResectionOptions& options) {
   const ResectionProblem problem = MakeProblem(view, sides, matches, projected, estimate, box_options, options);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
-  x.tail(problem.Modes()) = estimate.coefficients;
-  Eigen::VectorXd residuals(problem.NumResiduals());
-  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
-  problem(x.data(), residuals.data(), J.data());
-  Eigen::MatrixXd information = J.transpose() * J;
-  // A direction that nothing observes gets a large but finite variance: 1 rad, 10 m.
-  information.diagonal().head<3>().array() += 1.0;
-  information.diagonal().segment<3>(3).array() += 0.01;
-  return information.ldlt().solve(Eigen::MatrixXd::Identity(x.size(), x.size())).topLeftCorner<6, 6>();
+  const Eigen::MatrixXd J = JacobianAt(problem, estimate.coefficients);
+  const Eigen::MatrixXd information = J.transpose() * J + Regular(problem);
+  return information.ldlt().solve(Eigen::MatrixXd::Identity(J.cols(), J.cols())).topLeftCorner<6, 6>();
+}
+
+Measurement MeasureFreely(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                          const ProjectedWireframe& projected, const PoseAndShape& optimum,
+                          const BoxOptions& box_options, const ResectionOptions& options) {
+  const ResectionProblem problem = MakeProblem(view, sides, matches, projected, optimum, box_options, options);
+  const Eigen::MatrixXd J = JacobianAt(problem, optimum.coefficients);
+  const auto J_image = J.topRows(J.rows() - problem.PriorRows());
+  Eigen::VectorXd P = Eigen::VectorXd::Zero(J.cols());
+  P.tail(problem.Modes()).setConstant(problem.shape_weight * problem.shape_weight);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(J.cols());  // the pose relative to the optimum's
+  x.tail(problem.Modes()) = optimum.coefficients;
+  const Eigen::MatrixXd image = J_image.transpose() * J_image + Regular(problem);
+  Eigen::MatrixXd freer = image;
+  freer.diagonal() += P;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(freer);
+  x = solver.solve(image * x + P.cwiseProduct(x));
+  Measurement measurement;
+  measurement.covariance = solver.solve(Eigen::MatrixXd::Identity(J.cols(), J.cols()));
+  measurement.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
+  measurement.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
+  measurement.estimate.coefficients = x.tail(problem.Modes());
+  return measurement;
 }
 
 }  // namespace armature

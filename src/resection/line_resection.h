@@ -44,4 +44,16 @@ Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSide
                                            const PoseAndShape& estimate, const BoxOptions& box_options,
                                            const ResectionOptions& options);
 
+// What one image says about pose and shape, nearly free of the category's shape statistics, for filters that put those in
+// once and not with every image. At the regularised optimum x* the image's own quadratic model has information I = J^T J
+// (without the regulariser's rows, P) and information vector (I + P) x*; solved again with a tenth of the regulariser,
+//   x = (I + P/10)^-1 (I + P) x*,   covariance (I + P/10)^-1.
+struct Measurement {
+  PoseAndShape estimate;
+  Eigen::MatrixXd covariance;  // of (rotation, translation, coefficients), (6+B) x (6+B), as ObjectEstimate::covariance
+};
+Measurement MeasureFreely(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                          const ProjectedWireframe& projected, const PoseAndShape& optimum,
+                          const BoxOptions& box_options, const ResectionOptions& options);
+
 }  // namespace armature

@@ -137,6 +137,31 @@ Eigen::Vector3d NormalRows(const ResectionProblem& problem, const State& state, 
   return Eigen::Vector3d::Zero();
 }
 
+// r = L^T (z - z_expected), scaled as a whole by a = 1 / sqrt(1 + |r|^2 / c^2).
+void MemoryRows(const ResectionProblem& problem, const State& state, int row, double* residuals, Jacobian* J) {
+  const ObjectMemory& memory = *problem.memory;
+  const Eigen::VectorXd r = memory.sqrt_information * memory.Difference(state.R, state.T, state.lambda);
+  const double c2 = problem.memory_loss_scale * problem.memory_loss_scale;
+  const double a = 1 / std::sqrt(1 + r.squaredNorm() / c2);
+  Eigen::Map<Eigen::VectorXd>(residuals + row, r.size()) = a * r;
+  if (!J) return;
+  Eigen::MatrixXd by_x = Eigen::MatrixXd::Zero(r.size(), problem.NumParameters());
+  // d(R e_z) = -[R e_z]x J_l dw, and g^T (-[v]x) = (v x g)^T
+  const Eigen::Vector3d front = state.R.col(2);
+  by_x.leftCols<3>().noalias() =
+      memory.sqrt_information.col(3) * (front.cross(memory.AheadOfFront()).transpose() * state.left_jacobian);
+  by_x.middleCols<3>(3) = memory.sqrt_information.leftCols<3>();
+  by_x.rightCols(problem.Modes()) = memory.sqrt_information.rightCols(problem.Modes());
+  J->middleRows(row, r.size()) = a * by_x - (a * a * a / c2) * r * (r.transpose() * by_x);
+}
+
+void RegulariserRows(const ResectionProblem& problem, const State& state, int row, double* residuals, Jacobian* J) {
+  Eigen::Map<Eigen::VectorXd>(residuals + row, problem.Modes()) = problem.shape_weight * state.lambda;
+  if (!J) return;
+  J->middleRows(row, problem.Modes()).setZero();
+  J->middleRows(row, problem.Modes()).rightCols(problem.Modes()).diagonal().setConstant(problem.shape_weight);
+}
+
 }  // namespace
 
 ShapePoint PointOnEdge(const CategoryModel& model, int edge, double s) {
@@ -162,10 +187,12 @@ bool ResectionProblem::operator()(const double* parameters, double* residuals, d
   }
   Eigen::Map<Eigen::Vector3d>(residuals + row) = NormalRows(*this, state, row, J_or_null);
   row += 3;
-  Eigen::Map<Eigen::VectorXd>(residuals + row, Modes()) = shape_weight * (state.lambda - expected_shape);
+  if (memory) {
+    MemoryRows(*this, state, row, residuals, J_or_null);
+  } else {
+    RegulariserRows(*this, state, row, residuals, J_or_null);
+  }
   if (jacobian) {
-    J.bottomRows(Modes()).setZero();
-    J.bottomRightCorner(Modes(), Modes()).diagonal().setConstant(shape_weight);
     if (!pose_is_free) J.leftCols<6>().setZero();
     if (!shape_is_free) J.rightCols(Modes()).setZero();
   }

@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "association/object_view.h"
 #include "category/category_model.h"
 #include "geometry/camera.h"
 
@@ -76,15 +77,19 @@ struct ResectionProblem {
   Eigen::Vector3d up_camera{0, -1, 0};  // unit
   double up_weight = 0;                 // 1 / radians
   double shape_weight = 1;              // of each coefficient in standard deviations
-  Eigen::VectorXd expected_shape;       // B, the coefficients that the regulariser pulls towards
+  // What earlier frames say, instead of the shape's regulariser; none: null. Its 4 + B whitened residuals share one
+  // robust loss: the memory is right or wrong as a whole.
+  const ObjectMemory* memory = nullptr;
+  double memory_loss_scale = 5;  // standard deviations
   // Which unknowns may move; the paper alternates between pose and shape.
   bool pose_is_free = true;
   bool shape_is_free = true;
 
   int Modes() const { return static_cast<int>(model->modes()); }
+  int PriorRows() const { return Modes() + (memory ? 4 : 0); }  // regulariser or memory
   int NumParameters() const { return 6 + Modes(); }
   int NumResiduals() const {
-    return static_cast<int>(line_terms.size() + plane_terms.size()) + 3 + Modes();
+    return static_cast<int>(line_terms.size() + plane_terms.size()) + 3 + PriorRows();
   }
   // parameters: 6+B; residuals: NumResiduals(); jacobian: column-major NumResiduals() x (6+B) or null.
   bool operator()(const double* parameters, double* residuals, double* jacobian) const;
