@@ -13,6 +13,12 @@ inline const char* const kTinySequenceYaml =
     "31.5\n"
     "  cy: 23.5\n  distortion: [0.1, 0, 0, 0, 0]\nup: [0, -2, 0]\n";
 
+// The same with another name.
+inline std::string TinySequenceYaml(const std::string& name) {
+  const std::string yaml = kTinySequenceYaml;
+  return "name: " + name + yaml.substr(yaml.find('\n'));
+}
+
 inline const char* const kTinyDetectionsHeader =
     "timestamp,category,x,y,width,height,score,azimuth_deg,elevation_deg,tilt_deg\n";
 
