@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
 #include <opencv2/line_descriptor.hpp>
 
 #include "lines/detectors.h"
@@ -9,8 +10,20 @@ namespace {
 using cv::line_descriptor::BinaryDescriptor;
 using cv::line_descriptor::KeyLine;
 
-// The detector inside OpenCV's BinaryDescriptor, on one octave. It has no thresholds to set: a lighter blur is all that
-// recall can be tuned by.
+// OpenCV prints to standard output when there are no lines; that would end up in the middle of a table.
+class QuietOutput {
+ public:
+  QuietOutput() : buffer_(std::cout.rdbuf(nullptr)) {}
+  ~QuietOutput() { std::cout.rdbuf(buffer_); }
+  QuietOutput(const QuietOutput&) = delete;
+  QuietOutput& operator=(const QuietOutput&) = delete;
+
+ private:
+  std::streambuf* buffer_;
+};
+
+// The detector inside OpenCV's BinaryDescriptor, on one octave. It has no thresholds to set: a lighter blur
+// is all that recall can be tuned by.
 class EdLines final : public LineDetector {
  public:
   explicit EdLines(bool published) {
@@ -22,7 +35,10 @@ class EdLines final : public LineDetector {
 
   std::vector<Segment> Detect(const cv::Mat& gray) override {
     std::vector<KeyLine> lines;
-    detector_->detect(gray, lines);
+    {
+      const QuietOutput quiet;
+      detector_->detect(gray, lines);
+    }
     std::vector<Segment> segments;
     segments.reserve(lines.size());
     for (const KeyLine& l : lines) {

@@ -11,6 +11,8 @@
 namespace armature {
 namespace {
 
+constexpr int kSmallestSide = 16;  // pixels: in smaller regions OpenCV's detectors throw
+
 using Maker = std::unique_ptr<LineDetector> (*)(bool published);
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {
@@ -67,6 +69,7 @@ std::vector<Segment> DetectSegments(LineDetector& detector, const cv::Mat& gray,
   if (options.boxes_only) regions = SearchRegions(boxes, gray.size(), options.box_margin);
   std::vector<Segment> segments;
   for (const cv::Rect& region : regions) {
+    if (std::min(region.width, region.height) < kSmallestSide) continue;
     const Eigen::Vector2d offset(region.x, region.y);
     for (const Segment& found : detector.Detect(gray(region))) {
       if (found.length() < options.min_length) continue;

@@ -6,24 +6,38 @@
 namespace armature {
 namespace {
 
+constexpr double kPublishedScale = 0.8;
+constexpr double kTunedScale = 0.5;  // finds faint edges that noise breaks up
+constexpr double kSigmaScale = 0.6;
+constexpr double kTunedQuantisation = 1.0, kTunedDensity = 0.6;  // keep the faint edges
+constexpr double kAngleTolerance = 22.5;                         // degrees
+
 class Lsd final : public LineDetector {
  public:
   explicit Lsd(bool published)
-      : lsd_(published ? cv::createLineSegmentDetector(cv::LSD_REFINE_STD)
-                       // Half the size finds faint edges that noise breaks up; quantisation 1 and density 0.6 keep them.
-                       : cv::createLineSegmentDetector(cv::LSD_REFINE_STD, 0.5, 0.6, 1.0, 22.5, 0, 0.6)) {}
+      : lsd_(published
+                 ? cv::createLineSegmentDetector(cv::LSD_REFINE_STD, kPublishedScale)
+                 : cv::createLineSegmentDetector(cv::LSD_REFINE_STD, kTunedScale, kSigmaScale,
+                                                 kTunedQuantisation, kAngleTolerance, 0, kTunedDensity)),
+        offset_((1 / (published ? kPublishedScale : kTunedScale) - 1) / 2) {}
 
   std::vector<Segment> Detect(const cv::Mat& gray) override {
     std::vector<cv::Vec4f> lines;
     lsd_->detect(gray, lines);
     std::vector<Segment> segments;
     segments.reserve(lines.size());
-    for (const cv::Vec4f& l : lines) segments.push_back({{l[0], l[1]}, {l[2], l[3]}});
+    const Eigen::Vector2d offset(offset_, offset_);
+    for (const cv::Vec4f& l : lines) {
+      segments.push_back({Eigen::Vector2d(l[0], l[1]) + offset, Eigen::Vector2d(l[2], l[3]) + offset});
+    }
     return segments;
   }
 
  private:
   cv::Ptr<cv::LineSegmentDetector> lsd_;
+  // Pixels. OpenCV divides positions in the scaled image by the scale, as if the first pixels' centres
+  // coincided; it is the images' corners that do, so that both coordinates come out too small.
+  double offset_;
 };
 
 }  // namespace
