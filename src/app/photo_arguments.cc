@@ -37,6 +37,7 @@ std::vector<double> Numbers(const std::string& argument, const std::string& text
   const std::string where = Where(argument, text);
   if (fields.size() != count) ThrowCount(where, fields.size(), format);
   std::vector<double> numbers;
+  numbers.reserve(count);
   for (const std::string& field : fields) numbers.push_back(ParseNumber(field, where));
   return numbers;
 }

@@ -43,6 +43,7 @@ std::vector<fs::path> RunFolders(const std::vector<Sequence>& sequences, const f
         fmt::format("{}: is the run of one sequence; choose another folder for several", out.string()));
   }
   std::vector<fs::path> folders;
+  folders.reserve(sequences.size());
   for (const Sequence& sequence : sequences) folders.push_back(out / sequence.name);
   return folders;
 }
