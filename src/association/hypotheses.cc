@@ -69,6 +69,37 @@ std::vector<BoxSides> SideVariants(const ObjectView& view, const HypothesisOptio
   return variants;
 }
 
+// The sides that the wireframe's ends leave behind by far are taken to be hidden, if they may be.
+BoxSides SidesFor(const ObjectView& view, const Wireframe& wireframe, const Eigen::Isometry3d& T,
+                  const BoxOptions& options) {
+  ProjectedWireframe projected;
+  const Box image{0, 0, view.camera->width - 1.0, view.camera->height - 1.0};
+  ProjectWireframe(*view.camera, view.model->spec, wireframe, T, image, {}, projected);
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  const Box& box = view.detection.box;
+  const auto [sigma_x, sigma_y] = SideSigmas(box, options);
+  const std::array<double, 4> beyond = {
+      (box.left() - extremes[0].pixel) / sigma_x, (box.top() - extremes[1].pixel) / sigma_y,
+      (extremes[2].pixel - box.right()) / sigma_x, (extremes[3].pixel - box.bottom()) / sigma_y};
+  BoxSides sides = view.sides;
+  for (size_t side = 0; side < 4; ++side) {
+    if (beyond[side] > 2 && view.hidden_probability[side] > 0) sides[side] = BoxSide::kOpen;
+  }
+  return sides;
+}
+
+void AddLineSeeds(const ObjectView& view, double azimuth, const Eigen::Matrix3d& R, const Wireframe& wireframe,
+                  const Eigen::VectorXd& coefficients, const BoxOptions& box_options, const HypothesisOptions& options,
+                  std::vector<Hypothesis>& hypotheses) {
+  for (const Eigen::Vector3d& translation : TranslationsFromLines(view, wireframe, R, options.line_seeds)) {
+    Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), coefficients}, view.sides, azimuth};
+    hypothesis.start.T_camera_object.linear() = R;
+    hypothesis.start.T_camera_object.translation() = translation;
+    hypothesis.sides = SidesFor(view, wireframe, hypothesis.start.T_camera_object, box_options);
+    hypotheses.push_back(std::move(hypothesis));
+  }
+}
+
 std::vector<double> DepthFactors(const HypothesisOptions& options) {
   if (options.depth_factor == 1) return {1.0};
   return {1.0, 1 / options.depth_factor, options.depth_factor};
@@ -144,11 +175,15 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions&
   std::vector<Hypothesis> hypotheses;
   const std::vector<BoxSides> variants = SideVariants(view, options);
   const std::vector<double> depth_factors = DepthFactors(options);
+  const bool seeds_from_lines = options.line_seeds.enabled && NeedsLineSeeds(view);
   std::vector<Wireframe> wireframes;
   for (const Eigen::VectorXd& c : view.model->dictionary) wireframes.push_back(WireframeFromCoefficients(*view.model, c));
   for (const double azimuth : CandidateAzimuths(view, options)) {
     for (const Eigen::Matrix3d& R : Rotations(view, azimuth, options)) {
       for (size_t d = 0; d < wireframes.size(); ++d) {
+        if (seeds_from_lines) {
+          AddLineSeeds(view, azimuth, R, wireframes[d], view.model->dictionary[d], box_options, options, hypotheses);
+        }
         for (const BoxSides& sides : variants) {
           const Eigen::Vector3d T = options.printed_translation
                                         ? PrintedTranslation(view, wireframes[d], R)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "association/box_constraints.h"
+#include "association/line_seeds.h"
 #include "association/object_view.h"
 
 namespace armature {
@@ -18,6 +19,7 @@ struct HypothesisOptions {
   double angle_step_deg = 8;         // degrees, of elevation and tilt
   double depth_factor = 1.25;        // the box's depth is also tried divided and multiplied by this; 1: not
   bool hidden_sides = true;          // also try that a side of the box is where something hides the object
+  LineSeedOptions line_seeds;        // where the box is too little
   bool printed_translation = false;  // the paper's equations instead of all sides of the box
 };
 

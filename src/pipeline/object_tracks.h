@@ -27,7 +27,7 @@ namespace armature {
 
 struct TrackOptions {
   bool enabled = true;
-  double fading = 0.98;            // weight of what was known before, with each new observation
+  double fading = 0.96;            // weight of what was known before, with each new observation
   double measurement_scale = 2;    // multiplies the standard deviations of resection
   double depth_sigma = 0.08;       // share of the distance, added along the ray: one view's error of size
   double lateral_sigma = 0.025;    // share of the distance, added across the ray: bearing, drift, the centre's definition
@@ -39,7 +39,7 @@ struct TrackOptions {
   double vote_weight = 0.6;        // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
   int min_edges = 3;               // matched edges of an estimate that is learnt from
   int min_observations = 2;        // before a track is used
-  double max_gap = 5;              // seconds unseen, then it is dropped
+  double max_gap = 20;             // seconds unseen, then it is dropped
 };
 
 class ObjectTracks {

@@ -60,6 +60,11 @@ void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.angle_step_deg", &o.angle_step_deg, "between elevations and tilts, degrees", 1, 90));
   t.push_back(Option("association.depth_factor", &o.depth_factor, "the box's depth is also tried divided and multiplied by this", 1, 4));
   t.push_back(Option("association.hidden_sides", &o.hidden_sides, "also try that something hides the object beyond a side of its box"));
+  t.push_back(Option("association.line_seeds", &o.line_seeds.enabled, "translations from pairs of segments where the box is cut or hidden"));
+  t.push_back(Option("association.line_seed_segments", &o.line_seeds.segments, "longest segments that are tried on every edge", 2, 10000));
+  t.push_back(Option("association.line_seed_pairs", &o.line_seeds.pairs, "pairs of edge and segment that are combined", 2, 1000));
+  t.push_back(Option("association.line_seed_translations", &o.line_seeds.translations, "kept for each rotation and shape", 1, 1000));
+  t.push_back(Option("association.line_seed_angle_deg", &o.line_seeds.max_angle_deg, "between an edge and a segment's plane, degrees", 0.1, 45));
   t.push_back(Option("association.printed_translation", &o.printed_translation, "the paper's T_z, T_x, T_y, not all sides of the box"));
 }
 

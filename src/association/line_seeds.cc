@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "association/line_seeds.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/rotation.h"
+
+namespace armature {
+namespace {
+
+constexpr double kNearest = 0.3, kFarthest = 15;  // metres, of an object's centre
+
+// A segment that may be the image of an edge, whatever the translation.
+struct Pair {
+  int edge = 0;
+  Segment segment;
+  Eigen::Vector3d normal;  // of the segment's plane, unit, camera frame
+  double offset = 0;       // N . T = offset
+  double length = 0;       // pixels
+};
+
+std::vector<Pair> CompatiblePairs(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R,
+                                  const LineSeedOptions& options) {
+  const double max_sine = std::sin(options.max_angle_deg * kDegree);
+  const size_t count = std::min(view.segments.size(), static_cast<size_t>(options.segments));
+  std::vector<Pair> pairs;
+  for (size_t i = 0; i < count; ++i) {
+    const Segment& segment = view.segments[i];
+    const Eigen::Vector3d normal = view.camera->Ray(segment.p1).cross(view.camera->Ray(segment.p2)).normalized();
+    const Eigen::RowVector3d in_object = normal.transpose() * R;
+    for (int e = 0; e < wireframe.edges(); ++e) {
+      const double along = std::abs(in_object.dot(wireframe.directions.col(e)));
+      if (along > max_sine * wireframe.directions.col(e).norm()) continue;
+      pairs.push_back({e, segment, normal, -in_object.dot(wireframe.midpoints.col(e)), segment.length()});
+    }
+  }
+  return pairs;
+}
+
+// Whether the segment lies beside the edge's projection, not on its extension: at least half of it.
+bool LiesOnEdge(const Camera& camera, const Wireframe& wireframe, const Eigen::Matrix3d& R, const Eigen::Vector3d& T,
+                const Pair& pair) {
+  Eigen::Vector3d a = R * wireframe.End(pair.edge, 0) + T, b = R * wireframe.End(pair.edge, 1) + T;
+  const double near = 0.05;
+  if (a.z() < near && b.z() < near) return false;
+  if (a.z() < near) a = b + (b.z() - near) / (b.z() - a.z()) * (a - b);
+  if (b.z() < near) b = a + (a.z() - near) / (a.z() - b.z()) * (b - a);
+  const Eigen::Vector2d p = camera.Project(a), d = camera.Project(b) - p;
+  double t1 = d.dot(pair.segment.p1 - p) / d.squaredNorm(), t2 = d.dot(pair.segment.p2 - p) / d.squaredNorm();
+  if (t1 > t2) std::swap(t1, t2);
+  return std::min(t2, 1.0) - std::max(t1, 0.0) > 0.5 * (t2 - t1);
+}
+
+bool IsNew(const std::vector<Eigen::Vector3d>& known, const Eigen::Vector3d& T) {
+  return std::none_of(known.begin(), known.end(),
+                      [&](const Eigen::Vector3d& other) { return (other - T).norm() < 0.03 * T.norm(); });
+}
+
+}  // namespace
+
+bool NeedsLineSeeds(const ObjectView& view) {
+  for (size_t side = 0; side < 4; ++side) {
+    if (view.sides[side] == BoxSide::kOpen || view.hidden_probability[side] > 0.5) return true;
+  }
+  return false;
+}
+
+std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const Wireframe& wireframe,
+                                                   const Eigen::Matrix3d& R, const LineSeedOptions& options) {
+  std::vector<Eigen::Vector3d> translations;
+  if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return translations;
+  const Eigen::RowVector3d up = view.up_camera->transpose();
+  const double lowest =
+      (up * R * wireframe.midpoints - (up * R * wireframe.directions).cwiseAbs() / 2).minCoeff();
+  std::vector<Pair> pairs = CompatiblePairs(view, wireframe, R, options);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.length > b.length; });
+  if (pairs.size() > static_cast<size_t>(options.pairs)) pairs.resize(static_cast<size_t>(options.pairs));
+  struct Found {
+    double length;
+    Eigen::Vector3d T;
+  };
+  std::vector<Found> found;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    for (size_t j = i + 1; j < pairs.size(); ++j) {
+      if (pairs[i].edge == pairs[j].edge) continue;
+      Eigen::Matrix3d A;
+      A << pairs[i].normal.transpose(), pairs[j].normal.transpose(), up;
+      if (std::abs(A.determinant()) < 0.05) continue;
+      const Eigen::Vector3d b(pairs[i].offset, pairs[j].offset, -view.floor->camera_height - lowest);
+      const Eigen::Vector3d T = A.inverse() * b;
+      if (T.z() < kNearest || T.norm() > kFarthest) continue;
+      if (!LiesOnEdge(*view.camera, wireframe, R, T, pairs[i])) continue;
+      if (!LiesOnEdge(*view.camera, wireframe, R, T, pairs[j])) continue;
+      found.push_back({pairs[i].length + pairs[j].length, T});
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.length > b.length; });
+  for (const Found& candidate : found) {
+    if (static_cast<int>(translations.size()) >= options.translations) break;
+    if (IsNew(translations, candidate.T)) translations.push_back(candidate.T);
+  }
+  return translations;
+}
+
+}  // namespace armature
