@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/room.h"
 
+#include <algorithm>
+
 #include "datasets/random.h"
 #include "geometry/rotation.h"
 
@@ -81,13 +83,14 @@ constexpr double kLampSize = 0.9;
 
 double LampShare(const Vector3d& point, const Vector3d& lamp, const std::vector<Cuboid>& blocks) {
   int seen = 0;
-  for (int i = 0; i < kLampPoints * kLampPoints; ++i) {
-    const double u = (i % kLampPoints + 0.5) / kLampPoints - 0.5,
-                 v = (i / kLampPoints + 0.5) / kLampPoints - 0.5;
-    const Vector3d at = lamp + kLampSize * Vector3d(u, v, 0);
-    bool hidden = false;
-    for (size_t b = 0; b < blocks.size() && !hidden; ++b) hidden = Blocks(blocks[b], point, at);
-    if (!hidden) ++seen;
+  for (int i = 0; i < kLampPoints; ++i) {
+    for (int j = 0; j < kLampPoints; ++j) {
+      const Vector3d offset((i + 0.5) / kLampPoints - 0.5, (j + 0.5) / kLampPoints - 0.5, 0);
+      const Vector3d at = lamp + kLampSize * offset;
+      const bool hidden = std::any_of(blocks.begin(), blocks.end(),
+                                      [&](const Cuboid& block) { return Blocks(block, point, at); });
+      if (!hidden) ++seen;
+    }
   }
   return static_cast<double>(seen) / (kLampPoints * kLampPoints);
 }

@@ -63,6 +63,7 @@ void AddNoise(Random& random, cv::Mat3b* image) {
 
 std::vector<GeneratedObject> TrueObjects(const std::vector<PlacedFurniture>& furniture) {
   std::vector<GeneratedObject> objects;
+  objects.reserve(furniture.size());
   for (const PlacedFurniture& piece : furniture) {
     objects.push_back({piece.id, piece.furniture.category, piece.furniture.instance, piece.T_world_object,
                        piece.furniture.size});
