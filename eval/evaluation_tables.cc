@@ -58,6 +58,7 @@ std::vector<Cell> RowOf(const std::string& run, const std::string& category, con
   row.push_back(
       PercentCell(summary.share_within_15_deg * summary.count, only_ok ? summary.count : s.detections));
   row.push_back(median(summary.median_translation_percent, 2));
+  row.push_back(median(summary.median_distance_percent, 2));
   row.push_back(median(summary.median_axis_deg, 2));
   for (const RightMatches* right : {&s.matches.on_edge, &s.matches.near_edge}) {
     row.push_back(PercentCell(right->matches, s.matches.matches));
@@ -79,10 +80,12 @@ std::vector<std::string> Definitions() {
       "detections: those that are of a true object. estimates: those of them that the run gives a pose of, "
       "whatever its "
       "status. ok: share of the detections.",
-      "azimuth, translation, up axis: medians over the estimates. azimuth: of the camera seen from the "
+      "azimuth, translation, distance, up axis: medians over the estimates. azimuth: of the camera seen from "
+      "the "
       "object, each "
       "along its own ray; symmetric turns are equal.",
-      "translation: |t - t_true| / |t_true|. up axis: angle between the estimated and the true y axis.",
+      "translation: |t - t_true| / |t_true|. distance: signed, (|t| - |t_true|) / |t_true|. up axis: angle "
+      "between the estimated and the true y axis.",
       "within 15 deg: share of the detections whose azimuth error is at most 15 degrees; one without pose is "
       "not.",
       fmt::format("precision: share of the matches whose segment lies on the object's own edge of that name: "
@@ -116,8 +119,9 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
   table.title = sequence + (only_ok ? ": estimates with status ok" : ": all estimates");
   table.columns = {"run", "category", "detections", "estimates"};
   if (!only_ok) table.columns.push_back("ok [%]");
-  for (const char* column : {"azimuth [deg]", "within 15 deg [%]", "translation [%]", "up axis [deg]",
-                             "precision [%]", "recall [%]", "~precision [%]", "~recall [%]"}) {
+  for (const char* column :
+       {"azimuth [deg]", "within 15 deg [%]", "translation [%]", "distance [%]", "up axis [deg]",
+        "precision [%]", "recall [%]", "~precision [%]", "~recall [%]"}) {
     table.columns.push_back(column);
   }
   std::vector<std::string> categories = CategoriesOf(runs);
@@ -134,9 +138,10 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
 std::string RawRow(const std::string& run, const std::string& sequence, const EvaluatedDetection& d) {
   std::string row = fmt::format("{},{},{},{},{},{},{}", run, sequence, Fixed(d.timestamp, 6), d.index,
                                 d.object, d.category, d.status);
-  row += d.error ? fmt::format(",{},{},{}", Fixed(d.error->azimuth_deg, 4),
-                               Fixed(d.error->translation_percent, 4), Fixed(d.error->elevation_axis_deg, 4))
-                 : ",,,";
+  row += d.error ? fmt::format(",{},{},{},{}", Fixed(d.error->azimuth_deg, 4),
+                               Fixed(d.error->translation_percent, 4), Fixed(d.error->distance_percent, 4),
+                               Fixed(d.error->elevation_axis_deg, 4))
+                 : ",,,,";
   if (!d.matches) return row + ",,,,,,\n";
   const MatchCounts& m = *d.matches;
   return row + fmt::format(",{},{},{},{},{},{}\n", m.matches, m.visible_edges, m.on_edge.matches,
@@ -167,6 +172,7 @@ std::vector<Table> EvaluationTables(const std::string& sequence, const std::vect
 std::string RawCsv(const std::vector<NamedEvaluation>& runs) {
   std::string text =
       "run,sequence,timestamp,index,object,category,status,azimuth_error_deg,translation_error_percent,"
+      "distance_error_percent,"
       "up_axis_error_deg,matches,visible_edges,right_matches,found_edges,near_matches,near_edges\n";
   for (const NamedEvaluation& run : runs) {
     for (const EvaluatedDetection& d : run.evaluation.detections)

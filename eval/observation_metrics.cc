@@ -35,6 +35,8 @@ ObservationError CompareObservation(const std::string& category, int symmetry_or
   error.translation_percent = 100 *
                               (T_camera_object.translation() - T_camera_object_true.translation()).norm() /
                               T_camera_object_true.translation().norm();
+  error.distance_percent =
+      100 * (T_camera_object.translation().norm() / T_camera_object_true.translation().norm() - 1);
   const double cosine = T_camera_object.linear().col(1).dot(T_camera_object_true.linear().col(1));
   error.elevation_axis_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
   return error;
@@ -58,6 +60,7 @@ ObservationSummary Summarise(const std::vector<ObservationError>& errors) {
   summary.share_within_15_deg = share([](const ObservationError& e) { return e.azimuth_deg <= 15; });
   summary.median_azimuth_deg = Median(Column(errors, &ObservationError::azimuth_deg));
   summary.median_translation_percent = Median(Column(errors, &ObservationError::translation_percent));
+  summary.median_distance_percent = Median(Column(errors, &ObservationError::distance_percent));
   summary.median_axis_deg = Median(Column(errors, &ObservationError::elevation_axis_deg));
   return summary;
 }

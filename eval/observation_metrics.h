@@ -14,6 +14,7 @@ struct ObservationError {
   bool ok = false;                 // the estimate's status
   double azimuth_deg = 0;          // absolute, degrees, the category's symmetry taken into account
   double translation_percent = 0;  // |t - t_true| in percent of |t_true|
+  double distance_percent = 0;     // |t| - |t_true| in percent of |t_true|: negative when too near
   double elevation_axis_deg = 0;   // between the estimated and the true y axis of the object, degrees
 };
 
@@ -29,7 +30,8 @@ struct ObservationSummary {
   double median_azimuth_deg = 0;   // degrees
   double share_within_15_deg = 0;  // 0..1
   double median_translation_percent = 0;
-  double median_axis_deg = 0;  // degrees
+  double median_distance_percent = 0;  // signed: a common error of scale shows here
+  double median_axis_deg = 0;          // degrees
 };
 ObservationSummary Summarise(const std::vector<ObservationError>& errors);
 

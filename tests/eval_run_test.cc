@@ -91,6 +91,7 @@ TEST(EvalRun, KnownErrors) {
   for (const EvaluatedDetection& d : world.Evaluate(world.WriteRun("run", change, SameName)).detections) {
     EXPECT_NEAR(d.error->azimuth_deg, 20, 1e-6);
     EXPECT_NEAR(d.error->translation_percent, 10, 1e-6);
+    EXPECT_NEAR(d.error->distance_percent, 10, 1e-6);
     EXPECT_NEAR(d.error->elevation_axis_deg, 0, 1e-4);
   }
 }

@@ -81,7 +81,7 @@ TEST(EvalTables, RawRows) {
   const RunEvaluation evaluation = world.Evaluate(world.WriteRun("run", Unchanged, SameName));
   const std::string csv = RawCsv({{"mine", evaluation}});
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
-  EXPECT_NE(csv.find("mine,world,0.200000,1,table0,table,ok,0.0000,0.0000,0.0000,"), std::string::npos)
+  EXPECT_NE(csv.find("mine,world,0.200000,1,table0,table,ok,0.0000,0.0000,0.0000,0.0000,"), std::string::npos)
       << csv;
 }
 
