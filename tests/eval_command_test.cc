@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature eval` and `armature bench detectors` as their users start them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/program.h"
+#include "support/tiny_sequence.h"
+#include "support/true_world.h"
+
+namespace armature {
+namespace {
+
+using testing::ExpectBadInput;
+using testing::RunOk;
+using testing::SameName;
+using testing::TrueWorld;
+using testing::Unchanged;
+
+TEST(EvalCommand, PrintsTablesAndKeepsRows) {
+  const TrueWorld world;
+  const auto run = world.WriteRun("run", Unchanged, SameName);
+  const auto result = RunOk({"eval", run, "--groundtruth", world.folder / "sequence", "--cad",
+                             world.folder / "cad", "--raw", world.folder / "raw.csv", "--json"});
+  const auto tables = nlohmann::json::parse(result.out);
+  ASSERT_EQ(tables.size(), 2u);
+  const auto& all = tables[0]["rows"][2];
+  EXPECT_EQ(all["category"], "all");
+  EXPECT_EQ(all["translation [%]"], 0.0);
+  EXPECT_EQ(all["precision [%]"], 100.0);
+  EXPECT_EQ(all["recall [%]"], 100.0);
+  EXPECT_NE(testing::ReadFile(world.folder / "raw.csv").find("table0"), std::string::npos);
+}
+
+TEST(EvalCommand, FindsTheSequenceInAFolderOfSequences) {
+  const TrueWorld world;
+  const auto run = world.WriteRun("run", Unchanged, SameName);
+  const auto result = RunOk({"eval", run, "--groundtruth", world.folder.path(), "--format", "markdown"});
+  EXPECT_NE(result.out.find("| run "), std::string::npos);
+}
+
+TEST(EvalCommand, BadInput) {
+  const TrueWorld world;
+  const auto run = world.WriteRun("run", Unchanged, SameName);
+  const std::string truth = world.folder / "sequence";
+  ExpectBadInput({"eval", run}, {"world", "--groundtruth"});
+  ExpectBadInput({"eval", world.folder / "sequence", "--groundtruth", truth},
+                 {"sequence", "not a finished run"});
+  ExpectBadInput({"eval", run, "--groundtruth", truth, "--cad", world.folder / "run"},
+                 {"annotated CAD models"});
+  ExpectBadInput({"eval", run, "--groundtruth", truth, "--format", "excel"}, {"excel"});
+}
+
+TEST(BenchCommand, ComparesDetectors) {
+  const testing::TempFolder folder;
+  WriteTinySequence(folder);
+  const auto result = RunOk({"bench", "detectors", folder.path(), "--json"});
+  const auto tables = nlohmann::json::parse(result.out);
+  ASSERT_EQ(tables.size(), 1u);
+  EXPECT_EQ(tables[0]["rows"].size(), 8u);  // four detectors, tuned and published
+  EXPECT_GT(tables[0]["rows"][0]["median [ms]"], 0);
+  EXPECT_EQ(tables[0]["rows"][0]["all recall [%]"], nullptr);
+  ExpectBadInput({"bench", "detectors", folder.path(), "--detector", "lzd"}, {"lzd", "lsd"});
+}
+
+}  // namespace
+}  // namespace armature
