@@ -49,6 +49,7 @@ std::vector<LineOptions> AllDetectors() {
 std::vector<DetectorTiming> BenchDetectors(const std::vector<BenchImage>& images, const Camera& camera,
                                            const std::vector<LineOptions>& detectors, int warm_up) {
   std::vector<Engine> engines;
+  engines.reserve(detectors.size());
   for (const LineOptions& options : detectors)
     engines.push_back({MakeLineDetector(options), {options, {}, {}, {}}});
   for (Engine& engine : engines) {
@@ -58,6 +59,7 @@ std::vector<DetectorTiming> BenchDetectors(const std::vector<BenchImage>& images
     for (size_t k = 0; k < engines.size(); ++k) Measure(engines[(i + k) % engines.size()], images[i], camera);
   }
   std::vector<DetectorTiming> timings;
+  timings.reserve(engines.size());
   for (Engine& engine : engines) timings.push_back(std::move(engine.timing));
   return timings;
 }

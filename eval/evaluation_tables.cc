@@ -75,31 +75,24 @@ std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs) 
   return {categories.begin(), categories.end()};
 }
 
+// Lines of the note under the first table.
 std::vector<std::string> Definitions() {
   return {
-      "detections: those that are of a true object. estimates: those of them that the run gives a pose of, "
-      "whatever its "
-      "status. ok: share of the detections.",
-      "azimuth, translation, distance, up axis: medians over the estimates. azimuth: of the camera seen from "
-      "the "
-      "object, each "
-      "along its own ray; symmetric turns are equal.",
-      "translation: |t - t_true| / |t_true|. distance: signed, (|t| - |t_true|) / |t_true|. up axis: angle "
-      "between the estimated and the true y axis.",
-      "within 15 deg: share of the detections whose azimuth error is at most 15 degrees; one without pose is "
-      "not.",
-      fmt::format("precision: share of the matches whose segment lies on the object's own edge of that name: "
-                  "both ends "
-                  "within {} px of its line, at most {} degrees apart, side by side.",
+      "detections: those of a true object. estimates: those of them with a pose, whatever the status.",
+      "azimuth, translation, distance, up axis: medians over the estimates.",
+      "azimuth: of the camera seen from the object, each along its own ray; symmetric turns are equal.",
+      "within 15 deg: share of the detections with at most that azimuth error; one without pose is not.",
+      "translation: |t - t_true| / |t_true|. distance: signed, (|t| - |t_true|) / |t_true|.",
+      "up axis: angle between the estimated and the true y axis.",
+      "precision: share of the matches whose segment is on the object's own edge of that name:",
+      fmt::format("  both ends within {} px of its line, at most {} degrees apart, side by side.",
                   kOnEdge.distance, kOnEdge.angle_deg),
-      fmt::format("recall: share of the object's own edges with at least {} px in the image and not hidden "
-                  "that have such "
-                  "a match; without pose none has.",
+      fmt::format("recall: share of the own edges with at least {} px in the image and not hidden that have",
                   kLeastVisiblePixels),
-      fmt::format(
-          "~: the same within {} px and {} cm, because edges are annotated along the axes of legs and posts.",
-          kNearEdge.distance, 100 * kNearEdge.metres),
-      "precision and recall are of objects with a known CAD model (--cad); a dash where there is none."};
+      "  such a match; without pose none has.",
+      fmt::format("~: the same within {} px and {} cm: legs and posts are annotated along their axes.",
+                  kNearEdge.distance, 100 * kNearEdge.metres),
+      "precision, recall: of objects with a known CAD model (--cad); a dash where there is none."};
 }
 
 std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs, bool only_ok) {

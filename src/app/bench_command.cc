@@ -68,6 +68,7 @@ std::vector<BenchImage> LoadImages(const Sequence& sequence, size_t count) {
 Table BenchSequence(const fs::path& folder, const DetectorBenchArguments& arguments,
                     const std::vector<CategorySpec>& specs, const CadLibrary& cad) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const CategorySpec& spec : specs) names.push_back(spec.name);
   const Sequence sequence = LoadSequence(folder, names);
   const size_t limit = arguments.frames > 0 ? static_cast<size_t>(arguments.frames) : sequence.images.size();

@@ -58,6 +58,7 @@ const SequenceTruth& TruthOf(const RunResults& run, bool is_given,
 
 std::vector<CategorySpec> SpecsOf(const std::vector<CategoryModel>& models) {
   std::vector<CategorySpec> specs;
+  specs.reserve(models.size());
   for (const CategoryModel& model : models) specs.push_back(model.spec);
   return specs;
 }
