@@ -76,8 +76,8 @@ std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected) {
   return extremes;
 }
 
-double PaddingPixels(const ExtremePoint& extreme, const Camera& camera, const BoxOptions& options) {
-  return options.padding * camera.fx * extreme.inverse_z;
+double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view) {
+  return view.model->spec.padding * view.camera->fx * extreme.inverse_z;
 }
 
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R) {
@@ -91,7 +91,7 @@ Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wire
 }
 
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
-                                   const Eigen::Matrix3d& R, const BoxOptions& options) {
+                                   const Eigen::Matrix3d& R) {
   const Camera& camera = *view.camera;
   const Box& box = view.detection.box;
   const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
@@ -114,7 +114,7 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
       // An open side still says roughly where the object is: a tenth of the weight keeps the system regular.
       const double weight = sides[static_cast<size_t>(side)] == BoxSide::kSeen ? 1.0 : 0.1;
       A.row(side) << (horizontal ? weight : 0), (horizontal ? 0 : weight), -weight * at;
-      const double padding = side < 2 ? -options.padding : options.padding;
+      const double padding = side < 2 ? -view.model->spec.padding : view.model->spec.padding;
       b(side) = weight * (at * ends(2, corner) - ends(horizontal ? 0 : 1, corner) - padding);
     }
     const double prior = 1e-3;

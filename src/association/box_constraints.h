@@ -18,7 +18,6 @@ struct BoxOptions {
   double sigma_pixels = 2;      // added to it
   double hidden_probability = 0.3;        // of a bottom that no other box goes on beyond
   double hidden_behind_probability = 0.7; // of a side that another box goes on beyond
-  double padding = 0.0;         // metres: the real object's extent beyond the wireframe (half the thickness of its legs)
 };
 
 // Open where the image's border cuts the box, seen elsewhere.
@@ -44,7 +43,7 @@ struct ExtremePoint {
 std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected);
 
 // How many pixels the real object reaches beyond the wireframe there.
-double PaddingPixels(const ExtremePoint& extreme, const Camera& camera, const BoxOptions& options);
+double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view);
 
 // The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R);
@@ -52,6 +51,6 @@ Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wire
 // The translation under which the projection fits the box best, from the sides that are seen; a weak prior keeps the
 // depth near the printed equations' where too few sides are seen to determine it.
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
-                                   const Eigen::Matrix3d& R, const BoxOptions& options);
+                                   const Eigen::Matrix3d& R);
 
 }  // namespace armature

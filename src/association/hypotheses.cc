@@ -187,7 +187,7 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions&
         for (const BoxSides& sides : variants) {
           const Eigen::Vector3d T = options.printed_translation
                                         ? PrintedTranslation(view, wireframes[d], R)
-                                        : TranslationFromBox(view, sides, wireframes[d], R, box_options);
+                                        : TranslationFromBox(view, sides, wireframes[d], R);
           for (const double factor : depth_factors) {
             Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), view.model->dictionary[d]}, sides, azimuth};
             hypothesis.start.T_camera_object.linear() = R;

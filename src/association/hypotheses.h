@@ -11,6 +11,7 @@
 namespace armature {
 
 struct HypothesisOptions {
+  bool use_viewpoint = true;         // of the detections; without, all azimuths are tried
   double azimuth_spread_deg = 30;    // degrees either side of the prior
   double azimuth_step_deg = 15;      // degrees
   int horizontal_peaks = 2;          // azimuths to try where the horizontal segments of the box vanish

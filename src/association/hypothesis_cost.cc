@@ -23,7 +23,7 @@ double BoxCost(const ObjectView& view, const BoxSides& sides, const ProjectedWir
   for (size_t side = 0; side < 4; ++side) {
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     // Positive where the projection falls short of the side.
-    const double padding = PaddingPixels(extremes[side], *view.camera, box_options);
+    const double padding = PaddingPixels(extremes[side], view);
     const double short_by = ((side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) - padding) / sigma;
     if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, options.box_loss_scale);
   }

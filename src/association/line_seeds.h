@@ -16,8 +16,8 @@ namespace armature {
 struct LineSeedOptions {
   bool enabled = true;
   int segments = 30;         // the longest that are tried on every edge
-  int pairs = 14;            // the best pairs of edge and segment that are combined, two at a time
-  int translations = 12;     // that are kept for each rotation and shape
+  int pairs = 20;            // the best pairs of edge and segment that are combined, two at a time
+  int translations = 16;     // that are kept for each rotation and shape
   double max_angle_deg = 4;  // degrees, between the edge and the segment's plane
 };
 

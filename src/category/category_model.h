@@ -54,6 +54,7 @@ struct CategorySpec {
   std::vector<Face> faces;
   int symmetry_order = 1;        // looks the same after each n-th of a turn about y: 1 none, 2 half a turn
   bool stands_on_floor = false;  // its lowest point touches the floor (a laptop's need not)
+  double padding = 0;  // metres: how far the real object reaches beyond its wireframe, on each side, half a leg's thickness
   MetricReference reference;
   int dictionary_size = 4;  // 3-5 in the paper
 

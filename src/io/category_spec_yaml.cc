@@ -121,7 +121,7 @@ std::string FacesText(const CategorySpec& spec) {
 
 std::vector<std::string> CategorySpecKeys() {
   return {"category",       "edges",           "base_edges", "faces",
-          "symmetry_order", "stands_on_floor", "reference",  "dictionary_size"};
+          "symmetry_order", "stands_on_floor", "padding", "reference",  "dictionary_size"};
 }
 
 CategorySpec ReadCategorySpec(const YamlMap& root) {
@@ -132,6 +132,7 @@ CategorySpec ReadCategorySpec(const YamlMap& root) {
   spec.base_edges = ReadBaseEdges(root, spec.edge_names);
   spec.faces = ReadFaces(root, spec.edge_names);
   spec.symmetry_order = ReadCount(root, "symmetry_order", spec.symmetry_order);
+  if (root.Has("padding")) spec.padding = root.Number("padding");
   if (root.Has("stands_on_floor")) spec.stands_on_floor = root.Boolean("stands_on_floor");
   spec.reference = ReadReference(root.Map("reference"), spec.edge_names);
   spec.dictionary_size = ReadCount(root, "dictionary_size", spec.dictionary_size);
@@ -169,7 +170,8 @@ std::string CategorySpecText(const CategorySpec& spec) {
   std::string text = fmt::format("category: {}\nedges: [{}]\n", spec.name, fmt::join(spec.edge_names, ", "));
   text += fmt::format("base_edges: {}\n", EdgeList(spec, {base_a, base_b}));
   text += FacesText(spec);
-  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\n", spec.symmetry_order, spec.stands_on_floor);
+  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: {}\n", spec.symmetry_order, spec.stands_on_floor,
+                      spec.padding);
   const bool length = spec.reference.measure == Measure::kLength;
   text += fmt::format("reference:\n  measure: {}\n  edges: {}\n  metres: {:.9g}\n",
                       length ? "length" : "height_above_ground", EdgeList(spec, spec.reference.edges),

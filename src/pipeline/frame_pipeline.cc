@@ -31,6 +31,14 @@ std::vector<Box> BoxesOf(const std::vector<Detection>& detections) {
   return boxes;
 }
 
+void ForgetViewpoints(std::vector<Detection>& detections) {
+  for (Detection& detection : detections) {
+    detection.azimuth.reset();
+    detection.elevation.reset();
+    detection.tilt.reset();
+  }
+}
+
 }  // namespace
 
 FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
@@ -44,7 +52,9 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       floor_(options_.floor),
       tracks_(options_.tracks) {}
 
-FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
+FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given) {
+  FrameInput input = given;
+  if (!options_.association.hypotheses.use_viewpoint) ForgetViewpoints(input.detections);
   FrameResult result;
   result.timestamp = input.timestamp;
   {  // one pass over the image for all objects
@@ -91,7 +101,7 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
     }
   }
   const StageClock clock(result.times.mapping);
-  LearnUp(result);
+  LearnUp(result, estimations);
   for (size_t i = 0; i < views.size(); ++i) {
     const ObjectEstimate& estimate = estimations[i].estimate;
     if (estimate.status != EstimateStatus::kOk || MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
@@ -137,12 +147,17 @@ UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segmen
   return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
 }
 
-void FramePipeline::LearnUp(const FrameResult& result) {
+void FramePipeline::LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations) {
   std::vector<UpVote> votes;
-  for (const ObjectObservation& observation : result.observations) {
-    const auto vote = VoteOf(observation.detection, observation.estimate.T_camera_object.translation(),
-                             options_.up.viewpoint_sigma_deg);
-    if (vote) votes.push_back(*vote);
+  for (size_t i = 0; i < estimations.size(); ++i) {
+    if (estimations[i].estimate.status != EstimateStatus::kOk) continue;
+    const Eigen::Vector3d t = estimations[i].estimate.T_camera_object.translation();
+    // How far the ray may be off: the centre's uncertainty across it, as this image alone leaves it.
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - t * t.transpose() / t.squaredNorm();
+    const Eigen::Matrix3d covariance = estimations[i].measured.covariance.block<3, 3>(3, 3);
+    const double off_deg = 2 * std::sqrt((across * covariance * across).trace()) / t.norm() / kDegree;
+    const double sigma_deg = std::hypot(options_.up.viewpoint_sigma_deg, off_deg);
+    if (const auto vote = VoteOf(result.observations[i].detection, t, sigma_deg)) votes.push_back(*vote);
   }
   up_estimator_.ReviseVotes(votes);
 }

@@ -39,7 +39,7 @@ class FramePipeline {
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
-  void LearnUp(const FrameResult& result);
+  void LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations);
   ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments, const UpEstimate& up) const;
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;

@@ -162,7 +162,7 @@ Measurement Measure(const ObjectView& view, const Candidate& best, const Associa
     optimum = resected.estimate;
   }
   Project(alone, optimum, sides, projected);
-  return MeasureFreely(alone, sides, best.matches, projected, optimum, association.box, resection);
+  return MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
 }
 
 }  // namespace

@@ -192,7 +192,12 @@ void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
   }
   if (known) LearnUnits(track, T_odom_camera, t.norm(), R * ray, (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
   const Eigen::MatrixXd information = weight * covariance.inverse();
-  track.normal = options_.fading * track.normal + A.transpose() * information * A;
+  // The category's shape statistics out of the measurement, inflated as it was; Update puts them in once.
+  Eigen::MatrixXd without_prior = information;
+  without_prior.diagonal().tail(B).array() -=
+      weight / (std::pow(options_.measurement_scale, 2) / estimation.measured.shape_prior_information +
+                std::pow(options_.shape_sigma, 2));
+  track.normal = options_.fading * track.normal + A.transpose() * without_prior * A;
   track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
 }
 

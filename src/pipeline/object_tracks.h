@@ -35,7 +35,7 @@ struct TrackOptions {
   double shape_sigma = 0.5;        // added to one view's coefficients, standard deviations of the category
   double min_relative_sigma = 0.03;  // share of the distance: a remembered position is never surer
   double min_yaw_sigma_deg = 2;    // degrees: nor a remembered yaw
-  double min_shape_sigma = 0.2;    // nor a remembered coefficient
+  double min_shape_sigma = 0.4;    // nor a remembered coefficient
   double vote_weight = 0.6;        // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
   int min_edges = 3;               // matched edges of an estimate that is learnt from
   int min_observations = 2;        // before a track is used

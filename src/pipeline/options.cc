@@ -52,6 +52,7 @@ void AddTrackOptions(TrackOptions& o, std::vector<OptionEntry>& t) {
 }
 
 void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
+  t.push_back(Option("association.use_viewpoint", &o.use_viewpoint, "use the detections' viewpoint priors"));
   t.push_back(Option("association.azimuth_spread_deg", &o.azimuth_spread_deg, "tried either side of the prior, degrees", 0, 180));
   t.push_back(Option("association.azimuth_step_deg", &o.azimuth_step_deg, "between azimuths, degrees", 1, 180));
   t.push_back(Option("association.horizontal_peaks", &o.horizontal_peaks, "azimuths tried where horizontal segments vanish", 0, 20));
@@ -95,7 +96,6 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.box_sigma_pixels", &o.box.sigma_pixels, "of a box's side, added, pixels", 0, 100));
   t.push_back(Option("association.hidden_probability", &o.box.hidden_probability, "of a box's bottom that no other box goes on beyond", 0, 0.99));
   t.push_back(Option("association.hidden_behind_probability", &o.box.hidden_behind_probability, "of a side that another box goes on beyond", 0, 0.99));
-  t.push_back(Option("association.box_padding", &o.box.padding, "the real object's reach beyond its wireframe, metres", 0, 1));
   t.push_back(Option("association.refined_hypotheses", &o.refined_hypotheses, "best hypotheses that go on to resection", 1, 1000));
   t.push_back(Option("association.rounds", &o.rounds, "of association and resection each", 1, 100));
   t.push_back(Option("association.search_gate", &o.search_gate, "distance gate of the search, share of the box's diagonal", 0.001, 1));

@@ -63,7 +63,7 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
   for (size_t side = 0; side < 4; ++side) {
     if (extremes[side].edge < 0) continue;
     const ShapePoint point = PointOnEdge(*problem.model, extremes[side].edge, extremes[side].s);
-    lines[side].z() -= PaddingPixels(extremes[side], *view.camera, box_options);
+    lines[side].z() -= PaddingPixels(extremes[side], view);
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     problem.line_terms.push_back({point, lines[side], options.box_weight / sigma, options.box_loss_scale,
                                   sides[side] == BoxSide::kOpen});
@@ -128,21 +128,18 @@ int SolveAlternating(Solver& solver, ResectionProblem& problem, Solver::Paramete
   return iterations;
 }
 
-Eigen::MatrixXd JacobianAt(const ResectionProblem& problem, const Eigen::VectorXd& coefficients) {
+// Of all unknowns at the problem's own pose and the given shape.
+Eigen::MatrixXd Covariance(const ResectionProblem& problem, const Eigen::VectorXd& coefficients) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
   x.tail(problem.Modes()) = coefficients;
   Eigen::VectorXd residuals(problem.NumResiduals());
   Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
   problem(x.data(), residuals.data(), J.data());
-  return J;
-}
-
-// A direction of the pose that nothing observes gets a large but finite variance: 1 rad, 10 m.
-Eigen::MatrixXd Regular(const ResectionProblem& problem) {
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(problem.NumParameters(), problem.NumParameters());
-  information.diagonal().head<3>().setConstant(1.0);
-  information.diagonal().segment<3>(3).setConstant(0.01);
-  return information;
+  Eigen::MatrixXd information = J.transpose() * J;
+  // A direction of the pose that nothing observes gets a large but finite variance: 1 rad, 10 m.
+  information.diagonal().head<3>().array() += 1.0;
+  information.diagonal().segment<3>(3).array() += 0.01;
+  return information.ldlt().solve(Eigen::MatrixXd::Identity(x.size(), x.size()));
 }
 
 }  // namespace
@@ -173,32 +170,14 @@ Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSide
                                            const PoseAndShape& estimate, const BoxOptions& box_options,
                                            const ResectionOptions& options) {
   const ResectionProblem problem = MakeProblem(view, sides, matches, projected, estimate, box_options, options);
-  const Eigen::MatrixXd J = JacobianAt(problem, estimate.coefficients);
-  const Eigen::MatrixXd information = J.transpose() * J + Regular(problem);
-  return information.ldlt().solve(Eigen::MatrixXd::Identity(J.cols(), J.cols())).topLeftCorner<6, 6>();
+  return Covariance(problem, estimate.coefficients).topLeftCorner<6, 6>();
 }
 
-Measurement MeasureFreely(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
                           const ProjectedWireframe& projected, const PoseAndShape& optimum,
                           const BoxOptions& box_options, const ResectionOptions& options) {
   const ResectionProblem problem = MakeProblem(view, sides, matches, projected, optimum, box_options, options);
-  const Eigen::MatrixXd J = JacobianAt(problem, optimum.coefficients);
-  const auto J_image = J.topRows(J.rows() - problem.PriorRows());
-  Eigen::VectorXd P = Eigen::VectorXd::Zero(J.cols());
-  P.tail(problem.Modes()).setConstant(problem.shape_weight * problem.shape_weight);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(J.cols());  // the pose relative to the optimum's
-  x.tail(problem.Modes()) = optimum.coefficients;
-  const Eigen::MatrixXd image = J_image.transpose() * J_image + Regular(problem);
-  Eigen::MatrixXd freer = image;
-  freer.diagonal() += P;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(freer);
-  x = solver.solve(image * x + P.cwiseProduct(x));
-  Measurement measurement;
-  measurement.covariance = solver.solve(Eigen::MatrixXd::Identity(J.cols(), J.cols()));
-  measurement.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
-  measurement.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
-  measurement.estimate.coefficients = x.tail(problem.Modes());
-  return measurement;
+  return {optimum, Covariance(problem, optimum.coefficients), problem.shape_weight * problem.shape_weight};
 }
 
 }  // namespace armature

@@ -44,15 +44,15 @@ Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSide
                                            const PoseAndShape& estimate, const BoxOptions& box_options,
                                            const ResectionOptions& options);
 
-// What one image says about pose and shape, nearly free of the category's shape statistics, for filters that put those in
-// once and not with every image. At the regularised optimum x* the image's own quadratic model has information I = J^T J
-// (without the regulariser's rows, P) and information vector (I + P) x*; solved again with a tenth of the regulariser,
-//   x = (I + P/10)^-1 (I + P) x*,   covariance (I + P/10)^-1.
+// What one image says about pose and shape, for filters over many images.
 struct Measurement {
-  PoseAndShape estimate;
+  PoseAndShape estimate;       // the optimum
   Eigen::MatrixXd covariance;  // of (rotation, translation, coefficients), (6+B) x (6+B), as ObjectEstimate::covariance
+  // The category's shape statistics are part of it with this information on each coefficient. A filter has to take them
+  // out of each measurement and put them in once: or a length that no image shows becomes surer with every image.
+  double shape_prior_information = 0;
 };
-Measurement MeasureFreely(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
                           const ProjectedWireframe& projected, const PoseAndShape& optimum,
                           const BoxOptions& box_options, const ResectionOptions& options);
 
