@@ -25,14 +25,14 @@ BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tol
           side(box.bottom() > camera.height - 1 - dy)};
 }
 
-std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others, const BoxOptions& options) {
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others,
+                                          const BoxOptions& options) {
   std::array<double, 4> probability = {0, 0, 0, options.hidden_probability};
   // A strip just beyond each side, a fifth of the box deep.
   const double dx = 0.2 * box.width, dy = 0.2 * box.height;
-  const std::array<Box, 4> beyond = {Box{box.left() - dx, box.top(), dx, box.height},
-                                     Box{box.left(), box.top() - dy, box.width, dy},
-                                     Box{box.right(), box.top(), dx, box.height},
-                                     Box{box.left(), box.bottom(), box.width, dy}};
+  const std::array<Box, 4> beyond = {
+      Box{box.left() - dx, box.top(), dx, box.height}, Box{box.left(), box.top() - dy, box.width, dy},
+      Box{box.right(), box.top(), dx, box.height}, Box{box.left(), box.bottom(), box.width, dy}};
   for (const size_t side : {0, 2, 3}) {  // nothing hangs from above
     for (const Box& other : others) {
       // The other box must also reach into this one, else it is beside it.
@@ -46,7 +46,8 @@ std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>
 }
 
 std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options) {
-  return {options.sigma * box.width + options.sigma_pixels, options.sigma * box.height + options.sigma_pixels};
+  return {options.sigma * box.width + options.sigma_pixels,
+          options.sigma * box.height + options.sigma_pixels};
 }
 
 Box ClipBox(const Box& box, const BoxSides& sides, const Camera& camera) {
@@ -80,7 +81,8 @@ double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view) {
   return view.model->spec.padding * view.camera->fx * extreme.inverse_z;
 }
 
-Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R) {
+Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
+                                   const Eigen::Matrix3d& R) {
   const Camera& camera = *view.camera;
   const Box& box = view.detection.box;
   const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);

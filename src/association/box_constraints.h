@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a detection's box says about translation (paper 3.3.1, eqs. computing_Tz, _Tx, _Ty).
 //
-// The paper divides constants k_x, k_y by the box's width and height. The width depends on the azimuth, boxes are cut by
-// the image's border and shrunk by occluders; so we use the corners of the projected hypothesis that touch each side:
-// u(P) = u_side is linear in T, f_x (X + T_x) = (u_side - c_x) (Z + T_z), and four sides give a 4x3 system.
+// The paper divides constants k_x, k_y by the box's width and height. The width depends on the azimuth, boxes
+// are cut by the image's border and shrunk by occluders; so we use the corners of the projected hypothesis
+// that touch each side: u(P) = u_side is linear in T, f_x (X + T_x) = (u_side - c_x) (Z + T_z), and four
+// sides give a 4x3 system.
 #pragma once
 
 #include <array>
@@ -13,19 +14,22 @@
 namespace armature {
 
 struct BoxOptions {
-  double cut_tolerance = 0.06;  // share of the box's size: a side this close to the image's border is cut by it
-  double sigma = 0.03;          // share of the box's size: standard deviation of a side
-  double sigma_pixels = 2;      // added to it
-  double hidden_probability = 0.3;        // of a bottom that no other box goes on beyond
-  double hidden_behind_probability = 0.7; // of a side that another box goes on beyond
+  double cut_tolerance =
+      0.06;                 // share of the box's size: a side this close to the image's border is cut by it
+  double sigma = 0.03;      // share of the box's size: standard deviation of a side
+  double sigma_pixels = 2;  // added to it
+  double hidden_probability = 0.3;         // of a bottom that no other box goes on beyond
+  double hidden_behind_probability = 0.7;  // of a side that another box goes on beyond
 };
 
 // Open where the image's border cuts the box, seen elsewhere.
 BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance);
 
-// Probability that something hides the object beyond each side of its box. Another detection's box that goes on beyond
-// the side may be of an object in front of it; furniture stands on the floor, so what hides it mostly hides its bottom.
-std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others, const BoxOptions& options);
+// Probability that something hides the object beyond each side of its box. Another detection's box that goes
+// on beyond the side may be of an object in front of it; furniture stands on the floor, so what hides it
+// mostly hides its bottom.
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others,
+                                          const BoxOptions& options);
 
 // Standard deviation in pixels of the box's sides, by the axis it moves along: {left/right, top/bottom}.
 std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options);
@@ -33,11 +37,12 @@ std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options);
 // The image region in which a projection can touch the box's seen sides: the image, cut at the open sides.
 Box ClipBox(const Box& box, const BoxSides& sides, const Camera& camera);
 
-// For each side (left, top, right, bottom) the edge and the position s on it that reach farthest towards that side.
+// For each side (left, top, right, bottom) the edge and the position s on it that reach farthest towards that
+// side.
 struct ExtremePoint {
   int edge = -1;  // -1: nothing is projected
   double s = 0;
-  double pixel = 0;  // u or v
+  double pixel = 0;      // u or v
   double inverse_z = 0;  // 1/metres
 };
 std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected);
@@ -46,10 +51,11 @@ std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected);
 double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view);
 
 // The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
-Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R);
+Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
+                                   const Eigen::Matrix3d& R);
 
-// The translation under which the projection fits the box best, from the sides that are seen; a weak prior keeps the
-// depth near the printed equations' where too few sides are seen to determine it.
+// The translation under which the projection fits the box best, from the sides that are seen; a weak prior
+// keeps the depth near the printed equations' where too few sides are seen to determine it.
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
                                    const Eigen::Matrix3d& R);
 

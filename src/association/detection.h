@@ -12,11 +12,11 @@ namespace armature {
 
 struct Detection {
   std::string category;
-  Box box;                              // pixels, the object's visible extent
-  double score = 1;                     // 0..1
-  std::optional<double> azimuth;        // radians, see geometry/viewpoint.h
-  std::optional<double> elevation;      // radians
-  std::optional<double> tilt;           // radians
+  Box box;                          // pixels, the object's visible extent
+  double score = 1;                 // 0..1
+  std::optional<double> azimuth;    // radians, see geometry/viewpoint.h
+  std::optional<double> elevation;  // radians
+  std::optional<double> tilt;       // radians
 };
 
 }  // namespace armature

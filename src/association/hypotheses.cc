@@ -41,11 +41,13 @@ std::vector<double> HorizontalEdgeAngles(const CategoryModel& model) {
   return angles;
 }
 
-std::vector<Eigen::Matrix3d> Rotations(const ObjectView& view, double azimuth, const HypothesisOptions& options) {
+std::vector<Eigen::Matrix3d> Rotations(const ObjectView& view, double azimuth,
+                                       const HypothesisOptions& options) {
   const Eigen::Vector3d ray = BoxRay(view);
   if (view.up_camera) return {UprightRotation(azimuth, *view.up_camera, ray)};
   std::vector<Eigen::Matrix3d> rotations;
-  for (const double elevation : Offsets(options.elevation_spread_deg * kDegree, options.angle_step_deg * kDegree)) {
+  for (const double elevation :
+       Offsets(options.elevation_spread_deg * kDegree, options.angle_step_deg * kDegree)) {
     for (const double tilt : Offsets(options.tilt_spread_deg * kDegree, options.angle_step_deg * kDegree)) {
       const Viewpoint viewpoint{azimuth, view.detection.elevation.value_or(0) + elevation,
                                 view.detection.tilt.value_or(0) + tilt};
@@ -88,8 +90,9 @@ BoxSides SidesFor(const ObjectView& view, const Wireframe& wireframe, const Eige
   return sides;
 }
 
-void AddLineSeeds(const ObjectView& view, double azimuth, const Eigen::Matrix3d& R, const Wireframe& wireframe,
-                  const Eigen::VectorXd& coefficients, const BoxOptions& box_options, const HypothesisOptions& options,
+void AddLineSeeds(const ObjectView& view, double azimuth, const Eigen::Matrix3d& R,
+                  const Wireframe& wireframe, const Eigen::VectorXd& coefficients,
+                  const BoxOptions& box_options, const HypothesisOptions& options,
                   std::vector<Hypothesis>& hypotheses) {
   for (const Eigen::Vector3d& translation : TranslationsFromLines(view, wireframe, R, options.line_seeds)) {
     Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), coefficients}, view.sides, azimuth};
@@ -119,7 +122,8 @@ std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double 
   for (const Segment& segment : view.segments) {
     const Eigen::Vector3d n = view.camera->Ray(segment.p1).cross(view.camera->Ray(segment.p2)).normalized();
     const Eigen::Vector3d along = up.cross(n);
-    // A plane that is itself nearly horizontal holds every direction; one that holds `up` may be a vertical edge.
+    // A plane that is itself nearly horizontal holds every direction; one that holds `up` may be a vertical
+    // edge.
     if (along.norm() < 0.15 || std::abs(n.dot(up)) < 0.05) continue;
     const Eigen::Vector3d in_object = R0.transpose() * along;
     const double angle = std::atan2(in_object.x(), in_object.z());
@@ -159,11 +163,13 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
   std::vector<double> azimuths;
   if (!view.detection.azimuth) {
     const double all_round = 2 * M_PI / view.model->spec.symmetry_order;
-    for (double azimuth = 0; azimuth < all_round - 1e-9; azimuth += kAllRoundStep) azimuths.push_back(azimuth);
+    for (double azimuth = 0; azimuth < all_round - 1e-9; azimuth += kAllRoundStep)
+      azimuths.push_back(azimuth);
     return azimuths;
   }
   const double prior = *view.detection.azimuth, spread = options.azimuth_spread_deg * kDegree;
-  for (const double offset : Offsets(spread, options.azimuth_step_deg * kDegree)) azimuths.push_back(prior + offset);
+  for (const double offset : Offsets(spread, options.azimuth_step_deg * kDegree))
+    azimuths.push_back(prior + offset);
   for (const double azimuth : AzimuthsOfHorizontalSegments(view, prior, spread, options.horizontal_peaks)) {
     azimuths.push_back(azimuth);
   }
@@ -177,12 +183,14 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions&
   const std::vector<double> depth_factors = DepthFactors(options);
   const bool seeds_from_lines = options.line_seeds.enabled && NeedsLineSeeds(view);
   std::vector<Wireframe> wireframes;
-  for (const Eigen::VectorXd& c : view.model->dictionary) wireframes.push_back(WireframeFromCoefficients(*view.model, c));
+  for (const Eigen::VectorXd& c : view.model->dictionary)
+    wireframes.push_back(WireframeFromCoefficients(*view.model, c));
   for (const double azimuth : CandidateAzimuths(view, options)) {
     for (const Eigen::Matrix3d& R : Rotations(view, azimuth, options)) {
       for (size_t d = 0; d < wireframes.size(); ++d) {
         if (seeds_from_lines) {
-          AddLineSeeds(view, azimuth, R, wireframes[d], view.model->dictionary[d], box_options, options, hypotheses);
+          AddLineSeeds(view, azimuth, R, wireframes[d], view.model->dictionary[d], box_options, options,
+                       hypotheses);
         }
         for (const BoxSides& sides : variants) {
           const Eigen::Vector3d T = options.printed_translation

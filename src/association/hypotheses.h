@@ -26,16 +26,17 @@ struct HypothesisOptions {
 
 struct Hypothesis {
   PoseAndShape start;
-  BoxSides sides{};     // which sides of the box it takes to be seen
-  double azimuth = 0;   // radians
+  BoxSides sides{};    // which sides of the box it takes to be seen
+  double azimuth = 0;  // radians
 };
 
 // Azimuths (radians) to try: around the prior, all round without one, and where horizontal segments say.
 std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOptions& options);
 
-// Azimuths under which horizontal edges of the category point along the horizontal directions that most segments in the
-// box share. With `up` known, a segment whose plane through the camera has normal n, if it is horizontal in the world,
-// runs along up x n: each segment votes for a turn about up without any knowledge of translation or size.
+// Azimuths under which horizontal edges of the category point along the horizontal directions that most
+// segments in the box share. With `up` known, a segment whose plane through the camera has normal n, if it is
+// horizontal in the world, runs along up x n: each segment votes for a turn about up without any knowledge of
+// translation or size.
 std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
                                                  int max_peaks);
 

@@ -41,12 +41,15 @@ double HiddenCost(const ObjectView& view, const BoxSides& sides) {
   return cost;
 }
 
-double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object, const CostOptions& options) {
+double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object,
+                   const CostOptions& options) {
   if (!view.detection.azimuth) return 0;
   const Viewpoint viewpoint = ViewpointFromRotation(T_camera_object.linear(), T_camera_object.translation());
-  const double off = AzimuthDifference(viewpoint.azimuth, *view.detection.azimuth, view.model->spec.symmetry_order) /
-                     (options.azimuth_sigma_deg * kDegree);
-  return -std::log((1 - options.azimuth_outliers) * std::exp(-0.5 * off * off) + options.azimuth_outliers * 0.1);
+  const double off =
+      AzimuthDifference(viewpoint.azimuth, *view.detection.azimuth, view.model->spec.symmetry_order) /
+      (options.azimuth_sigma_deg * kDegree);
+  return -std::log((1 - options.azimuth_outliers) * std::exp(-0.5 * off * off) +
+                   options.azimuth_outliers * 0.1);
 }
 
 double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
@@ -67,16 +70,16 @@ double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
   if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return 0;
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, estimate.coefficients);
   const Eigen::RowVector3d up = view.up_camera->transpose() * estimate.T_camera_object.linear();
-  const double lowest =
-      (up * wireframe.midpoints - (up * wireframe.directions).cwiseAbs() / 2).minCoeff() +
-      view.up_camera->dot(estimate.T_camera_object.translation());
+  const double lowest = (up * wireframe.midpoints - (up * wireframe.directions).cwiseAbs() / 2).minCoeff() +
+                        view.up_camera->dot(estimate.T_camera_object.translation());
   return GemanMcClure((lowest + view.floor->camera_height) / view.floor->sigma, 3);
 }
 
 }  // namespace
 
 double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
-                 const ProjectedWireframe& projected, const BoxOptions& box_options, const CostOptions& options) {
+                 const ProjectedWireframe& projected, const BoxOptions& box_options,
+                 const CostOptions& options) {
   return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
          (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
@@ -88,7 +91,8 @@ double LineCost(const ObjectView& view, const ProjectedWireframe& projected, dou
   const double visible = projected.VisibleLength();
   if (visible <= 0) return options.coverage_weight;
   const double diagonal = std::hypot(view.detection.box.width, view.detection.box.height);
-  return options.coverage_weight * (1 - covered_length / visible) - options.length_weight * covered_length / diagonal;
+  return options.coverage_weight * (1 - covered_length / visible) -
+         options.length_weight * covered_length / diagonal;
 }
 
 }  // namespace armature

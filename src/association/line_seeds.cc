@@ -21,14 +21,15 @@ struct Pair {
   double length = 0;       // pixels
 };
 
-std::vector<Pair> CompatiblePairs(const ObjectView& view, const Wireframe& wireframe, const Eigen::Matrix3d& R,
-                                  const LineSeedOptions& options) {
+std::vector<Pair> CompatiblePairs(const ObjectView& view, const Wireframe& wireframe,
+                                  const Eigen::Matrix3d& R, const LineSeedOptions& options) {
   const double max_sine = std::sin(options.max_angle_deg * kDegree);
   const size_t count = std::min(view.segments.size(), static_cast<size_t>(options.segments));
   std::vector<Pair> pairs;
   for (size_t i = 0; i < count; ++i) {
     const Segment& segment = view.segments[i];
-    const Eigen::Vector3d normal = view.camera->Ray(segment.p1).cross(view.camera->Ray(segment.p2)).normalized();
+    const Eigen::Vector3d normal =
+        view.camera->Ray(segment.p1).cross(view.camera->Ray(segment.p2)).normalized();
     const Eigen::RowVector3d in_object = normal.transpose() * R;
     for (int e = 0; e < wireframe.edges(); ++e) {
       const double along = std::abs(in_object.dot(wireframe.directions.col(e)));
@@ -40,8 +41,8 @@ std::vector<Pair> CompatiblePairs(const ObjectView& view, const Wireframe& wiref
 }
 
 // Whether the segment lies beside the edge's projection, not on its extension: at least half of it.
-bool LiesOnEdge(const Camera& camera, const Wireframe& wireframe, const Eigen::Matrix3d& R, const Eigen::Vector3d& T,
-                const Pair& pair) {
+bool LiesOnEdge(const Camera& camera, const Wireframe& wireframe, const Eigen::Matrix3d& R,
+                const Eigen::Vector3d& T, const Pair& pair) {
   Eigen::Vector3d a = R * wireframe.End(pair.edge, 0) + T, b = R * wireframe.End(pair.edge, 1) + T;
   const double near = 0.05;
   if (a.z() < near && b.z() < near) return false;
@@ -75,7 +76,8 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
   const double lowest =
       (up * R * wireframe.midpoints - (up * R * wireframe.directions).cwiseAbs() / 2).minCoeff();
   std::vector<Pair> pairs = CompatiblePairs(view, wireframe, R, options);
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.length > b.length; });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.length > b.length; });
   if (pairs.size() > static_cast<size_t>(options.pairs)) pairs.resize(static_cast<size_t>(options.pairs));
   struct Found {
     double length;
@@ -96,7 +98,8 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
       found.push_back({pairs[i].length + pairs[j].length, T});
     }
   }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.length > b.length; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& a, const Found& b) { return a.length > b.length; });
   for (const Found& candidate : found) {
     if (static_cast<int>(translations.size()) >= options.translations) break;
     if (IsNew(translations, candidate.T)) translations.push_back(candidate.T);

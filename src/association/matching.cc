@@ -10,7 +10,9 @@ namespace {
 constexpr double kMinVisibleShare = 0.2;  // an edge of which less is seen is not looked for
 constexpr double kMinOverlap = 0.3;       // share of the segment that must run beside the edge
 
-bool IsLookedFor(const ProjectedEdge& edge) { return edge.length > 1 && edge.visible_share >= kMinVisibleShare; }
+bool IsLookedFor(const ProjectedEdge& edge) {
+  return edge.length > 1 && edge.visible_share >= kMinVisibleShare;
+}
 
 }  // namespace
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which segments explain which edges of a projected wireframe, and how much of the wireframe they explain.
 //
-// An edge and a segment are compared as in the paper (3.3.2): by the perpendicular distances p1, p2 of the segment's ends
-// from the projected edge, whose difference stands for the angle (C1) and whose mean for the offset (C2). Where the paper
-// adds costs over the edges, we measure coverage: the share of the visible projected length that segments explain,
-// weighted by how well they do. A sum of costs would favour hypotheses with fewer and smaller edges.
+// An edge and a segment are compared as in the paper (3.3.2): by the perpendicular distances p1, p2 of the
+// segment's ends from the projected edge, whose difference stands for the angle (C1) and whose mean for the
+// offset (C2). Where the paper adds costs over the edges, we measure coverage: the share of the visible
+// projected length that segments explain, weighted by how well they do. A sum of costs would favour
+// hypotheses with fewer and smaller edges.
 #pragma once
 
 #include <vector>
@@ -27,9 +28,10 @@ struct PairScore {
 };
 PairScore ComparePair(const ProjectedEdge& edge, const Segment& segment, const MatchGate& gate);
 
-// Pixels of the visible projected length that segments explain, weighted by quality; a segment may count for several
-// edges. The fast measure of the search.
-double CoveredLength(const ProjectedWireframe& projected, const std::vector<Segment>& segments, const MatchGate& gate);
+// Pixels of the visible projected length that segments explain, weighted by quality; a segment may count for
+// several edges. The fast measure of the search.
+double CoveredLength(const ProjectedWireframe& projected, const std::vector<Segment>& segments,
+                     const MatchGate& gate);
 
 struct Matching {
   std::vector<EdgeMatch> matches;

@@ -8,7 +8,8 @@
 namespace armature {
 
 double YawBelief::At(double yaw) const {
-  const double position = (WrapAngle(yaw) + M_PI) / (2 * M_PI) * kBins - 0.5;  // bin centres are at whole numbers
+  const double position =
+      (WrapAngle(yaw) + M_PI) / (2 * M_PI) * kBins - 0.5;  // bin centres are at whole numbers
   const double below = std::floor(position);
   const auto bin = [&](int offset) {
     return cost[static_cast<size_t>((static_cast<int>(below) + offset + kBins) % kBins)];

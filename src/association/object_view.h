@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that one image (and what was learnt from the images before it) says about one detected object: the input of
-// association and resection.
+// Everything that one image (and what was learnt from the images before it) says about one detected object:
+// the input of association and resection.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -36,30 +36,33 @@ struct PoseAndShape {
   Eigen::VectorXd coefficients;                                       // standard deviations
 };
 
-// What the viewpoint priors of earlier frames say about an object's turn: a cost for each direction that its front may
-// have in the horizontal plane.
+// What the viewpoint priors of earlier frames say about an object's turn: a cost for each direction that its
+// front may have in the horizontal plane.
 struct YawBelief {
-  static constexpr int kBins = 72;  // of 5 degrees
+  static constexpr int kBins = 72;   // of 5 degrees
   std::array<double, kBins> cost{};  // negative log-likelihood, 0 for the best
 
   // The cost at a yaw in radians, interpolated between the bins' centres.
   double At(double yaw) const;
 };
 
-// What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4 + B numbers,
-// T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients. It is joint because what
-// was seen may be one end of a table: then neither its centre nor its length is known, but their difference is.
+// What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4
+// + B numbers, T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients.
+// It is joint because what was seen may be one end of a table: then neither its centre nor its length is
+// known, but their difference is.
 struct ObjectMemory {
-  PoseAndShape expected;                // in this camera
-  Eigen::MatrixXd sqrt_information;     // L^T, (4+B) x (4+B), L L^T the information of z
-  YawBelief belief;                     // of the direction of the object's z axis
-  Eigen::Vector3d yaw_zero, yaw_quarter;  // the horizontal directions of yaw 0 and 90 degrees, unit, camera frame
+  PoseAndShape expected;             // in this camera
+  Eigen::MatrixXd sqrt_information;  // L^T, (4+B) x (4+B), L L^T the information of z
+  YawBelief belief;                  // of the direction of the object's z axis
+  Eigen::Vector3d yaw_zero,
+      yaw_quarter;  // the horizontal directions of yaw 0 and 90 degrees, unit, camera frame
 
-  // z - z_expected of a pose and shape; the yaw's difference is taken from the direction of the object's front.
+  // z - z_expected of a pose and shape; the yaw's difference is taken from the direction of the object's
+  // front.
   Eigen::VectorXd Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
                              const Eigen::VectorXd& coefficients) const;
-  // The horizontal direction 90 degrees ahead of the expected front: the front's component along it is the yaw's
-  // difference to first order.
+  // The horizontal direction 90 degrees ahead of the expected front: the front's component along it is the
+  // yaw's difference to first order.
   Eigen::Vector3d AheadOfFront() const;
 };
 
@@ -67,11 +70,13 @@ struct ObjectView {
   const Camera* camera = nullptr;
   const CategoryModel* model = nullptr;
   Detection detection;
-  BoxSides sides{};               // of the detection's box
-  std::array<double, 4> hidden_probability{};  // that something else hides the object beyond each side of its box
+  BoxSides sides{};  // of the detection's box
+  std::array<double, 4>
+      hidden_probability{};       // that something else hides the object beyond each side of its box
   std::vector<Segment> segments;  // undistorted pixels, inside the grown box
-  std::optional<Eigen::Vector3d> up_camera;  // unit, camera frame; none: take the viewpoint's elevation and tilt
-  std::vector<ImageFace> occluders;          // faces of other objects in this image
+  std::optional<Eigen::Vector3d>
+      up_camera;                     // unit, camera frame; none: take the viewpoint's elevation and tilt
+  std::vector<ImageFace> occluders;  // faces of other objects in this image
   std::optional<FloorPrior> floor;
   std::optional<ObjectMemory> memory;
 };

@@ -11,7 +11,8 @@ double PrintedPairCost(const Segment& edge, const Segment& segment, const Printe
          options.k2 * (edge.middle() - segment.middle()).norm();
 }
 
-PrintedAssociation AssociateAsPrinted(const ProjectedWireframe& projected, const std::vector<Segment>& segments,
+PrintedAssociation AssociateAsPrinted(const ProjectedWireframe& projected,
+                                      const std::vector<Segment>& segments,
                                       const PrintedCostOptions& options) {
   PrintedAssociation association;
   for (size_t e = 0; e < projected.edges.size(); ++e) {

@@ -7,12 +7,14 @@
 namespace armature {
 namespace {
 
-constexpr double kNear = 0.05;         // metres
-constexpr double kBehindMargin = 1.02; // a point is hidden when it is 2 % farther than the face
+constexpr double kNear = 0.05;          // metres
+constexpr double kBehindMargin = 1.02;  // a point is hidden when it is 2 % farther than the face
 constexpr std::array<double, 4> kSamples = {0.125, 0.375, 0.625, 0.875};  // along an edge, for visibility
 
-// Liang-Barsky against the box, as an interval [enter, leave] of the parameter along a -> b; false when outside.
-bool ClipInterval(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& enter, double& leave) {
+// Liang-Barsky against the box, as an interval [enter, leave] of the parameter along a -> b; false when
+// outside.
+bool ClipInterval(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& enter,
+                  double& leave) {
   const Eigen::Vector2d d = b - a;
   const double step[4] = {-d.x(), d.x(), -d.y(), d.y()};
   const double room[4] = {a.x() - box.left(), box.right() - a.x(), a.y() - box.top(), box.bottom() - a.y()};
@@ -58,11 +60,12 @@ ProjectedEdge ProjectEdge(const Camera& camera, const Eigen::Vector3d& end1, con
 }
 
 bool HasEdge(const Face& face, int edge) {
-  return std::count_if(face.corners.begin(), face.corners.end(), [&](const EdgeEnd& c) { return c.edge == edge; }) > 0;
+  return std::count_if(face.corners.begin(), face.corners.end(),
+                       [&](const EdgeEnd& c) { return c.edge == edge; }) > 0;
 }
 
-double VisibleShare(const ProjectedEdge& edge, int index, const CategorySpec& spec, const std::vector<ImageFace>& own,
-                    const std::vector<ImageFace>& occluders) {
+double VisibleShare(const ProjectedEdge& edge, int index, const CategorySpec& spec,
+                    const std::vector<ImageFace>& own, const std::vector<ImageFace>& occluders) {
   int seen = 0;
   for (const double t : kSamples) {
     const Eigen::Vector2d pixel = edge.line.p1 + t * (edge.line.p2 - edge.line.p1);
@@ -119,8 +122,8 @@ ImageFace ProjectFace(const Camera& camera, const Eigen::Matrix3Xd& corners_came
   return face;
 }
 
-std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
-                                    const Eigen::Isometry3d& T_camera_object) {
+std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec,
+                                    const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object) {
   std::vector<ImageFace> faces;
   for (const Face& face : spec.faces) {
     Eigen::Matrix3Xd corners(3, static_cast<Eigen::Index>(face.corners.size()));
@@ -139,7 +142,8 @@ void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wire
   out.edges.clear();
   out.nearest_z = 1e9;
   for (int i = 0; i < wireframe.edges(); ++i) {
-    const Eigen::Vector3d end1 = T_camera_object * wireframe.End(i, 0), end2 = T_camera_object * wireframe.End(i, 1);
+    const Eigen::Vector3d end1 = T_camera_object * wireframe.End(i, 0),
+                          end2 = T_camera_object * wireframe.End(i, 1);
     out.nearest_z = std::min({out.nearest_z, end1.z(), end2.z()});
     out.edges.push_back(ProjectEdge(camera, end1, end2, clip));
   }

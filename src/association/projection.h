@@ -12,22 +12,23 @@
 
 namespace armature {
 
-// A flat opaque polygon in the image. The inverse depth of a plane is affine in the pixel: 1/z = inverse_depth . (u, v, 1).
+// A flat opaque polygon in the image. The inverse depth of a plane is affine in the pixel: 1/z =
+// inverse_depth . (u, v, 1).
 struct ImageFace {
   std::vector<Eigen::Vector2d> corners;  // pixels, in order
   Eigen::Vector3d inverse_depth;         // 1/metres
-  // Whether the face hides what lies at the pixel with the given inverse depth (a hair behind it, so that a face does
-  // not hide its own border).
+  // Whether the face hides what lies at the pixel with the given inverse depth (a hair behind it, so that a
+  // face does not hide its own border).
   bool Hides(const Eigen::Vector2d& pixel, double inverse_z) const;
 };
 
 struct ProjectedEdge {
-  Segment line;            // pixels: the part inside the image (and the clip box), from s1 to s2
-  double s1 = 0, s2 = 0;   // its ends on the edge: point M + s D, -1/2 .. 1/2
+  Segment line;           // pixels: the part inside the image (and the clip box), from s1 to s2
+  double s1 = 0, s2 = 0;  // its ends on the edge: point M + s D, -1/2 .. 1/2
   double inverse_z1 = 0, inverse_z2 = 0;  // 1/metres at its ends
   Eigen::Vector2d direction{1, 0};        // unit, pixels
-  double length = 0;         // pixels; 0: outside the image or behind the camera
-  double visible_share = 0;  // of that length, not hidden by faces
+  double length = 0;                      // pixels; 0: outside the image or behind the camera
+  double visible_share = 0;               // of that length, not hidden by faces
 };
 
 struct ProjectedWireframe {
@@ -38,15 +39,16 @@ struct ProjectedWireframe {
   double VisibleLength() const;  // pixels, all edges
 };
 
-// The corners of a polygon given in the camera frame, cut at the near plane; no corners when all of it is behind.
+// The corners of a polygon given in the camera frame, cut at the near plane; no corners when all of it is
+// behind.
 ImageFace ProjectFace(const Camera& camera, const Eigen::Matrix3Xd& corners_camera);
 
 // The object's faces in the image, e.g. as occluders of what is behind it.
-std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
-                                    const Eigen::Isometry3d& T_camera_object);
+std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec,
+                                    const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object);
 
-// Projects, clips to `clip` (at least the image; smaller where the object is known to be cut or hidden beyond a line)
-// and determines which parts are hidden by the object's own faces and by `occluders`.
+// Projects, clips to `clip` (at least the image; smaller where the object is known to be cut or hidden beyond
+// a line) and determines which parts are hidden by the object's own faces and by `occluders`.
 void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                       const Eigen::Isometry3d& T_camera_object, const Box& clip,
                       const std::vector<ImageFace>& occluders, ProjectedWireframe& out);

@@ -29,12 +29,14 @@ Wireframe WireframeFromCoefficients(const CategoryModel& model, const Eigen::Vec
 }
 
 Eigen::VectorXd CoefficientsFromWireframe(const CategoryModel& model, const Wireframe& wireframe) {
-  return (model.basis.transpose() * (ShapeVector(wireframe) - model.mean)).cwiseQuotient(model.standard_deviations);
+  return (model.basis.transpose() * (ShapeVector(wireframe) - model.mean))
+      .cwiseQuotient(model.standard_deviations);
 }
 
 Eigen::Vector3d BoundingBoxSize(const Wireframe& wireframe) {
   const Eigen::Matrix3Xd half = wireframe.directions.cwiseAbs() / 2;
-  return (wireframe.midpoints + half).rowwise().maxCoeff() - (wireframe.midpoints - half).rowwise().minCoeff();
+  return (wireframe.midpoints + half).rowwise().maxCoeff() -
+         (wireframe.midpoints - half).rowwise().minCoeff();
 }
 
 }  // namespace armature

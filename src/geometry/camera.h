@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pinhole camera. Camera frame: x right, y down, z forward; pixel (0,0) is the centre of the top-left pixel.
+// The pinhole camera. Camera frame: x right, y down, z forward; pixel (0,0) is the centre of the top-left
+// pixel.
 #pragma once
 
 #include <Eigen/Core>

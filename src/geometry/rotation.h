@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rotations in three dimensions: the exponential map of SO(3) and the few constructions that the stages share.
+// Rotations in three dimensions: the exponential map of SO(3) and the few constructions that the stages
+// share.
 #pragma once
 
 #include <Eigen/Geometry>

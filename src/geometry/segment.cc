@@ -10,8 +10,8 @@ namespace armature {
 std::optional<Segment> Clipped(const Segment& segment, const Box& box) {
   const Eigen::Vector2d d = segment.p2 - segment.p1;
   const double step[4] = {-d.x(), d.x(), -d.y(), d.y()};
-  const double room[4] = {segment.p1.x() - box.left(), box.right() - segment.p1.x(), segment.p1.y() - box.top(),
-                          box.bottom() - segment.p1.y()};
+  const double room[4] = {segment.p1.x() - box.left(), box.right() - segment.p1.x(),
+                          segment.p1.y() - box.top(), box.bottom() - segment.p1.y()};
   double enter = 0, leave = 1;
   for (int side = 0; side < 4; ++side) {
     if (step[side] == 0) {

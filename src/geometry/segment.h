@@ -20,7 +20,8 @@ struct Segment {
 // The part of the segment inside the box, none if it is outside.
 std::optional<Segment> Clipped(const Segment& segment, const Box& box);
 
-// Distance of a point from the infinite line through the segment, signed: positive to the right of p1 -> p2 (y down).
+// Distance of a point from the infinite line through the segment, signed: positive to the right of p1 -> p2
+// (y down).
 double SignedDistanceToLine(const Segment& line, const Eigen::Vector2d& point);
 
 // The acute angle between two segments, in [0, pi/2] radians.

@@ -8,7 +8,8 @@
 namespace armature {
 namespace {
 
-const Eigen::Matrix3d kFlip = Eigen::Vector3d(1, -1, -1).asDiagonal();  // object y up, z front -> camera y down, z away
+const Eigen::Matrix3d kFlip =
+    Eigen::Vector3d(1, -1, -1).asDiagonal();  // object y up, z front -> camera y down, z away
 
 Eigen::Matrix3d AboutAxis(double angle, const Eigen::Vector3d& axis) {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
@@ -17,7 +18,8 @@ Eigen::Matrix3d AboutAxis(double angle, const Eigen::Vector3d& axis) {
 }  // namespace
 
 Eigen::Matrix3d RotationFromViewpoint(const Viewpoint& viewpoint, const Eigen::Vector3d& ray) {
-  return SmallestRotation(Eigen::Vector3d::UnitZ(), ray) * AboutAxis(viewpoint.tilt, Eigen::Vector3d::UnitZ()) *
+  return SmallestRotation(Eigen::Vector3d::UnitZ(), ray) *
+         AboutAxis(viewpoint.tilt, Eigen::Vector3d::UnitZ()) *
          AboutAxis(viewpoint.elevation, Eigen::Vector3d::UnitX()) * kFlip *
          AboutAxis(-viewpoint.azimuth, Eigen::Vector3d::UnitY());
 }
@@ -34,7 +36,8 @@ Viewpoint ViewpointFromRotation(const Eigen::Matrix3d& R_camera_object, const Ei
   return viewpoint;
 }
 
-Eigen::Matrix3d UprightRotation(double azimuth, const Eigen::Vector3d& up_camera, const Eigen::Vector3d& ray) {
+Eigen::Matrix3d UprightRotation(double azimuth, const Eigen::Vector3d& up_camera,
+                                const Eigen::Vector3d& ray) {
   // The object's axes at azimuth 0: y is up, z (the front) points towards the camera in the horizontal plane.
   const Eigen::Vector3d to_camera = -ray.normalized();
   Eigen::Vector3d front = to_camera - to_camera.dot(up_camera) * up_camera;

@@ -120,8 +120,8 @@ std::string FacesText(const CategorySpec& spec) {
 }  // namespace
 
 std::vector<std::string> CategorySpecKeys() {
-  return {"category",       "edges",           "base_edges", "faces",
-          "symmetry_order", "stands_on_floor", "padding", "reference",  "dictionary_size"};
+  return {"category",        "edges",   "base_edges", "faces",          "symmetry_order",
+          "stands_on_floor", "padding", "reference",  "dictionary_size"};
 }
 
 CategorySpec ReadCategorySpec(const YamlMap& root) {
@@ -170,8 +170,8 @@ std::string CategorySpecText(const CategorySpec& spec) {
   std::string text = fmt::format("category: {}\nedges: [{}]\n", spec.name, fmt::join(spec.edge_names, ", "));
   text += fmt::format("base_edges: {}\n", EdgeList(spec, {base_a, base_b}));
   text += FacesText(spec);
-  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: {}\n", spec.symmetry_order, spec.stands_on_floor,
-                      spec.padding);
+  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: {}\n", spec.symmetry_order,
+                      spec.stands_on_floor, spec.padding);
   const bool length = spec.reference.measure == Measure::kLength;
   text += fmt::format("reference:\n  measure: {}\n  edges: {}\n  metres: {:.9g}\n",
                       length ? "length" : "height_above_ground", EdgeList(spec, spec.reference.edges),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The makers behind MakeLineDetector, one file a detector. `published`: the published parameters, else tuned for recall.
+// The makers behind MakeLineDetector, one file a detector. `published`: the published parameters, else tuned
+// for recall.
 #pragma once
 
 #include <memory>

@@ -21,13 +21,15 @@ const std::vector<std::pair<std::string, Maker>>& Makers() {
   return makers;
 }
 
-// Whole-pixel rectangles that hold all grown boxes; those that overlap are merged so that no pixel is searched twice.
+// Whole-pixel rectangles that hold all grown boxes; those that overlap are merged so that no pixel is
+// searched twice.
 std::vector<cv::Rect> SearchRegions(const std::vector<Box>& boxes, const cv::Size& size, double margin) {
   const cv::Rect image({0, 0}, size);
   std::vector<cv::Rect> regions;
   for (const Box& box : boxes) {
     const Box grown = box.Grown(margin * std::max(box.width, box.height));
-    const cv::Point corner(static_cast<int>(std::floor(grown.left())), static_cast<int>(std::floor(grown.top())));
+    const cv::Point corner(static_cast<int>(std::floor(grown.left())),
+                           static_cast<int>(std::floor(grown.top())));
     const cv::Point opposite(static_cast<int>(std::ceil(grown.right())) + 1,
                              static_cast<int>(std::ceil(grown.bottom())) + 1);
     cv::Rect region = cv::Rect(corner, opposite) & image;
@@ -73,7 +75,8 @@ std::vector<Segment> DetectSegments(LineDetector& detector, const cv::Mat& gray,
     const Eigen::Vector2d offset(region.x, region.y);
     for (const Segment& found : detector.Detect(gray(region))) {
       if (found.length() < options.min_length) continue;
-      segments.push_back({UndistortPixel(camera, found.p1 + offset), UndistortPixel(camera, found.p2 + offset)});
+      segments.push_back(
+          {UndistortPixel(camera, found.p1 + offset), UndistortPixel(camera, found.p2 + offset)});
     }
   }
   std::stable_sort(segments.begin(), segments.end(),

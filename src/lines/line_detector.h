@@ -25,7 +25,8 @@ struct LineOptions {
 class LineDetector {
  public:
   virtual ~LineDetector() = default;
-  // `gray`: 8 bit, one channel. Ends in pixels of that image, in no particular order, (0,0) the centre of its first pixel.
+  // `gray`: 8 bit, one channel. Ends in pixels of that image, in no particular order, (0,0) the centre of its
+  // first pixel.
   virtual std::vector<Segment> Detect(const cv::Mat& gray) = 0;
 };
 
@@ -35,8 +36,9 @@ const std::vector<std::string>& LineDetectorNames();
 // Aborts on an unknown name: names are checked where options are read.
 std::unique_ptr<LineDetector> MakeLineDetector(const LineOptions& options);
 
-// Detects in the whole image, or in the bounding rectangles of overlapping grown boxes, drops short segments and takes
-// the lens distortion out of the ends. Result: undistorted pixels, longest first. Regions under 16 pixels have none.
+// Detects in the whole image, or in the bounding rectangles of overlapping grown boxes, drops short segments
+// and takes the lens distortion out of the ends. Result: undistorted pixels, longest first. Regions under 16
+// pixels have none.
 std::vector<Segment> DetectSegments(LineDetector& detector, const cv::Mat& gray, const Camera& camera,
                                     const std::vector<Box>& boxes, const LineOptions& options);
 

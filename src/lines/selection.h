@@ -9,7 +9,8 @@
 
 namespace armature {
 
-// The parts of the segments inside the box, those of at least min_length pixels, in the given order, at most max_count.
+// The parts of the segments inside the box, those of at least min_length pixels, in the given order, at most
+// max_count.
 std::vector<Segment> SegmentsInBox(const std::vector<Segment>& segments, const Box& box, double min_length,
                                    int max_count);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How high the camera is above the floor, learnt from the furniture that stands on it.
 //
-// One view leaves an object's distance uncertain by some 6 % because its size is; objects that share a floor share that
-// distance, and a box that the image cuts on three sides hardly has one of its own.
+// One view leaves an object's distance uncertain by some 6 % because its size is; objects that share a floor
+// share that distance, and a box that the image cuts on three sides hardly has one of its own.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,12 +16,13 @@ namespace armature {
 
 struct FloorOptions {
   bool enabled = true;
-  double initial_height = 1.4;    // metres: a camera held or flown by people in rooms, before anything is seen
-  double initial_sigma = 0.4;     // metres
-  double drift = 0.1;             // metres per square root of a second: of the height where the odometry cannot tell
-  double climb_error = 0.15;      // share of the climb that the odometry tells, with the scale as the objects give it
-  double size_sigma = 0.07;       // share: furniture is this much larger or smaller than its category's reference
-  double min_sigma = 0.03;        // metres: never surer than this
+  double initial_height = 1.4;  // metres: a camera held or flown by people in rooms, before anything is seen
+  double initial_sigma = 0.4;   // metres
+  double drift = 0.1;  // metres per square root of a second: of the height where the odometry cannot tell
+  double climb_error =
+      0.15;  // share of the climb that the odometry tells, with the scale as the objects give it
+  double size_sigma = 0.07;  // share: furniture is this much larger or smaller than its category's reference
+  double min_sigma = 0.03;   // metres: never surer than this
 };
 
 class FloorHeight {
@@ -29,12 +30,13 @@ class FloorHeight {
   explicit FloorHeight(const FloorOptions& options)
       : options_(options), height_(options.initial_height), sigma_(options.initial_sigma) {}
 
-  // The prior for a frame at this time. `climb`: how far the camera rose since the last frame, metres; none where the
-  // odometry or its scale is not known.
+  // The prior for a frame at this time. `climb`: how far the camera rose since the last frame, metres; none
+  // where the odometry or its scale is not known.
   std::optional<FloorPrior> Predict(double timestamp, std::optional<double> climb);
 
   // What an accepted estimate in that frame says; objects that do not stand on the floor say nothing.
-  void Learn(const ObjectEstimation& estimation, const CategoryModel& model, const Eigen::Vector3d& up_camera);
+  void Learn(const ObjectEstimation& estimation, const CategoryModel& model,
+             const Eigen::Vector3d& up_camera);
 
  private:
   FloorOptions options_;

@@ -77,7 +77,8 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
   if (remembers) {
     const StageClock clock(result.times.mapping);
     tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
-    for (size_t i = 0; i < views.size(); ++i) views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, up.up_camera);
+    for (size_t i = 0; i < views.size(); ++i)
+      views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, up.up_camera);
   }
   result.observations.resize(views.size());
   std::vector<ObjectEstimation> estimations(views.size());
@@ -88,14 +89,15 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
     views[i].floor = result.floor;
     ObjectEstimation& estimation = estimations[i];
     estimation = EstimateObject(views[i], options_.association, options_.resection, times);
-    result.observations[i] = {input.detections[i], estimation.initial.T_camera_object, estimation.initial.coefficients,
-                              estimation.estimate};
+    result.observations[i] = {input.detections[i], estimation.initial.T_camera_object,
+                              estimation.initial.coefficients, estimation.estimate};
     result.times.association += times.association_ms;
     result.times.optimization += times.optimization_ms;
     if (options_.association.occlusion && estimation.estimate.status == EstimateStatus::kOk) {
       const CategoryModel& model = *views[i].model;
       const Wireframe wireframe = WireframeFromCoefficients(model, estimation.estimate.coefficients);
-      for (ImageFace& face : ProjectFaces(camera_, model.spec, wireframe, estimation.estimate.T_camera_object)) {
+      for (ImageFace& face :
+           ProjectFaces(camera_, model.spec, wireframe, estimation.estimate.T_camera_object)) {
         occluders.push_back(std::move(face));
       }
     }
@@ -104,7 +106,8 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
   LearnUp(result, estimations);
   for (size_t i = 0; i < views.size(); ++i) {
     const ObjectEstimate& estimate = estimations[i].estimate;
-    if (estimate.status != EstimateStatus::kOk || MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
+    if (estimate.status != EstimateStatus::kOk || MatchedEdges(estimate.matches) < options_.tracks.min_edges)
+      continue;
     floor_.Learn(estimations[i], *views[i].model, up.up_camera);
     if (remembers) tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
   }
@@ -132,7 +135,8 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
 }
 
 UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {
-  if (options_.up.source == "level") return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
+  if (options_.up.source == "level")
+    return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
   if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
@@ -141,7 +145,8 @@ UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segmen
     const BoxSides sides = SidesAtImageBorder(detection.box, camera_, options_.association.box.cut_tolerance);
     const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
     const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
-    const auto vote = VoteOf(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
+    const auto vote =
+        VoteOf(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
     if (vote) votes.push_back(*vote);
   }
   return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
@@ -172,8 +177,8 @@ ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<S
   const Box& box = view.detection.box;
   view.sides = SidesAtImageBorder(box, camera_, options_.association.box.cut_tolerance);
   const double margin = options_.lines.box_margin * std::max(box.width, box.height);
-  view.segments =
-      SegmentsInBox(segments, box.Grown(margin), options_.lines.min_length, options_.association.max_segments);
+  view.segments = SegmentsInBox(segments, box.Grown(margin), options_.lines.min_length,
+                                options_.association.max_segments);
   view.up_camera = up.up_camera;
   return view;
 }

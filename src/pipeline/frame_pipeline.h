@@ -20,8 +20,8 @@ namespace armature {
 // What is known of a frame besides its image.
 struct FrameInput {
   double timestamp = 0;
-  std::vector<Detection> detections;                // boxes in pixels of the image as it is, distorted
-  std::optional<Eigen::Isometry3d> T_odom_camera;   // odometry, any scale
+  std::vector<Detection> detections;               // boxes in pixels of the image as it is, distorted
+  std::optional<Eigen::Isometry3d> T_odom_camera;  // odometry, any scale
 };
 
 class FramePipeline {
@@ -30,7 +30,8 @@ class FramePipeline {
   FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
                 std::optional<Eigen::Vector3d> up_odom);
 
-  // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the categories.
+  // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the
+  // categories.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
 
   const std::vector<CategoryModel>& categories() const { return categories_; }
@@ -40,7 +41,8 @@ class FramePipeline {
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
   void LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations);
-  ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments, const UpEstimate& up) const;
+  ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments,
+                    const UpEstimate& up) const;
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 

@@ -11,29 +11,30 @@
 
 namespace armature {
 
-struct StageTimes {      // milliseconds, wall clock
-  double load = 0;         // reading and decoding the image; outside the total
-  double lines = 0;        // line detection, one pass for all objects
-  double association = 0;  // hypotheses and their costs, all objects
-  double optimization = 0; // resection, all objects
-  double mapping = 0;      // up direction, floor and what else is kept between frames
+struct StageTimes {         // milliseconds, wall clock
+  double load = 0;          // reading and decoding the image; outside the total
+  double lines = 0;         // line detection, one pass for all objects
+  double association = 0;   // hypotheses and their costs, all objects
+  double optimization = 0;  // resection, all objects
+  double mapping = 0;       // up direction, floor and what else is kept between frames
   double total() const { return lines + association + optimization + mapping; }
 };
 
 struct ObjectObservation {
   Detection detection;
-  Eigen::Isometry3d T_camera_object_initial = Eigen::Isometry3d::Identity();  // before resection, for pictures
+  Eigen::Isometry3d T_camera_object_initial =
+      Eigen::Isometry3d::Identity();  // before resection, for pictures
   Eigen::VectorXd coefficients_initial;
   ObjectEstimate estimate;
 };
 
 struct FrameResult {
-  double timestamp = 0;                // seconds
-  std::vector<Segment> segments;       // undistorted pixels
+  double timestamp = 0;                         // seconds
+  std::vector<Segment> segments;                // undistorted pixels
   std::vector<ObjectObservation> observations;  // in the order of the detections
   Eigen::Vector3d up_camera{0, -1, 0};          // unit, camera frame
   double up_sigma = 1;                          // radians, standard deviation; 0: given by the sequence
-  std::optional<FloorPrior> floor;                // what was assumed of the camera's height for this frame
+  std::optional<FloorPrior> floor;              // what was assumed of the camera's height for this frame
   StageTimes times;
 };
 

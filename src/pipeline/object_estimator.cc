@@ -19,7 +19,8 @@ MatchGate GateOfRound(const ObjectView& view, const AssociationOptions& options,
       std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
   const double ratio = options.final_gate_pixels / coarse;
   const double angle_ratio = options.final_angle_deg / options.search_angle_deg;
-  return {coarse * std::pow(ratio, progress), options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
+  return {coarse * std::pow(ratio, progress),
+          options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
 }
 
 void Project(const ObjectView& view, const PoseAndShape& at, const BoxSides& sides, ProjectedWireframe& out) {
@@ -59,8 +60,9 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
   std::vector<Candidate> candidates;
   for (Hypothesis& hypothesis : MakeHypotheses(view, options.box, options.hypotheses)) {
     Candidate candidate;
-    candidate.cost = options.cost == "printed" ? PrintedCost(view, hypothesis.start, options, scratch)
-                                               : CoverageCost(view, hypothesis, hypothesis.start, gate, options, scratch);
+    candidate.cost = options.cost == "printed"
+                         ? PrintedCost(view, hypothesis.start, options, scratch)
+                         : CoverageCost(view, hypothesis, hypothesis.start, gate, options, scratch);
     candidate.estimate = hypothesis.start;
     candidate.hypothesis = std::move(hypothesis);
     candidates.push_back(std::move(candidate));
@@ -71,14 +73,16 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
 }
 
 bool AreAlike(const Candidate& a, const Candidate& b, const AssociationOptions& options, int symmetry_order) {
-  const double za = a.estimate.T_camera_object.translation().z(), zb = b.estimate.T_camera_object.translation().z();
+  const double za = a.estimate.T_camera_object.translation().z(),
+               zb = b.estimate.T_camera_object.translation().z();
   return std::abs(AzimuthDifference(a.hypothesis.azimuth, b.hypothesis.azimuth, symmetry_order)) <
              options.diverse_azimuth_deg * kDegree &&
          std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
 }
 
 // The best few that are not alike.
-std::vector<Candidate> Diverse(std::vector<Candidate> ranked, const AssociationOptions& options, int symmetry_order) {
+std::vector<Candidate> Diverse(std::vector<Candidate> ranked, const AssociationOptions& options,
+                               int symmetry_order) {
   std::vector<Candidate> kept;
   for (Candidate& candidate : ranked) {
     if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
@@ -90,8 +94,8 @@ std::vector<Candidate> Diverse(std::vector<Candidate> ranked, const AssociationO
   return kept;
 }
 
-std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected, const MatchGate& gate,
-                                 const AssociationOptions& options) {
+std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected,
+                                 const MatchGate& gate, const AssociationOptions& options) {
   if (options.cost == "printed") return AssociateAsPrinted(projected, view.segments, options.printed).matches;
   return MatchSegments(projected, view.segments, gate).matches;
 }
@@ -157,7 +161,8 @@ Measurement Measure(const ObjectView& view, const Candidate& best, const Associa
   PoseAndShape optimum = best.estimate;
   for (int round = 0; round < 2; ++round) {
     Project(alone, optimum, sides, projected);
-    const ResectionResult resected = Resect(alone, sides, best.matches, projected, optimum, association.box, resection);
+    const ResectionResult resected =
+        Resect(alone, sides, best.matches, projected, optimum, association.box, resection);
     if (!resected.finite) break;
     optimum = resected.estimate;
   }
@@ -187,8 +192,8 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;
   result.estimate.status = Judge(view, *best, projected, association);
-  result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected, best->estimate,
-                                              association.box, resection);
+  result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected,
+                                              best->estimate, association.box, resection);
   result.estimate.rms_pixels = RmsPixels(best->matches);
   result.estimate.matches = std::move(best->matches);
   result.estimate.cost = best->cost;

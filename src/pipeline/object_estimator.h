@@ -10,22 +10,22 @@
 namespace armature {
 
 struct AssociationOptions {
-  std::string cost = "coverage";   // "coverage" or "printed", the paper's C1 + k1 C2 + k2 C3
+  std::string cost = "coverage";  // "coverage" or "printed", the paper's C1 + k1 C2 + k2 C3
   PrintedCostOptions printed;
   CostOptions coverage;
   HypothesisOptions hypotheses;
   BoxOptions box;
-  int refined_hypotheses = 8;      // the best, diverse ones that go on to resection
-  int rounds = 4;                  // of association and resection each, at most
-  double search_gate = 0.04;       // share of the box's diagonal: distance gate of the search and the first round
-  double final_gate_pixels = 4;    // distance gate of the last round and of the reported matches
-  double search_angle_deg = 10;    // degrees: angle gate of the search
-  double final_angle_deg = 6;      // degrees
-  double diverse_azimuth_deg = 10; // degrees: hypotheses closer than this in azimuth and
-  double diverse_depth = 0.1;      // this share in depth are the same; only the better is refined
-  int max_segments = 80;           // the longest in the box
-  int min_edges = 2;               // matched edges, fewer are too few
-  bool occlusion = true;           // objects already found in the image hide those behind them
+  int refined_hypotheses = 8;  // the best, diverse ones that go on to resection
+  int rounds = 4;              // of association and resection each, at most
+  double search_gate = 0.04;   // share of the box's diagonal: distance gate of the search and the first round
+  double final_gate_pixels = 4;     // distance gate of the last round and of the reported matches
+  double search_angle_deg = 10;     // degrees: angle gate of the search
+  double final_angle_deg = 6;       // degrees
+  double diverse_azimuth_deg = 10;  // degrees: hypotheses closer than this in azimuth and
+  double diverse_depth = 0.1;       // this share in depth are the same; only the better is refined
+  int max_segments = 80;            // the longest in the box
+  int min_edges = 2;                // matched edges, fewer are too few
+  bool occlusion = true;            // objects already found in the image hide those behind them
 };
 
 struct EstimatorTimes {
@@ -35,8 +35,8 @@ struct EstimatorTimes {
 
 struct ObjectEstimation {
   ObjectEstimate estimate;
-  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to learn from.
-  // Learning from the estimate would count the memory twice.
+  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to
+  // learn from. Learning from the estimate would count the memory twice.
   Measurement measured;
   PoseAndShape initial;  // the winning hypothesis before resection
 };

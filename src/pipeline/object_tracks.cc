@@ -24,8 +24,9 @@ Eigen::MatrixXd InUnit(const Eigen::MatrixXd& covariance, double factor) {
   return result;
 }
 
-// Two horizontal directions, at yaw 0 and 90 degrees, that stay where they are in the odometry's frame as the estimate of
-// up changes a little: the odometry's z axis, the first camera's optical axis, is seldom vertical.
+// Two horizontal directions, at yaw 0 and 90 degrees, that stay where they are in the odometry's frame as the
+// estimate of up changes a little: the odometry's z axis, the first camera's optical axis, is seldom
+// vertical.
 struct HorizontalAxes {
   Eigen::Vector3d zero, quarter;
 
@@ -63,14 +64,16 @@ PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d&
                                     const Eigen::Vector3d& up_odom) const {
   const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
   PoseAndShape expected;
-  expected.T_camera_object.linear() = R_camera_odom * HorizontalAxes(up_odom).Rotation(track.state(3), up_odom);
+  expected.T_camera_object.linear() =
+      R_camera_odom * HorizontalAxes(up_odom).Rotation(track.state(3), up_odom);
   expected.T_camera_object.translation() =
       R_camera_odom * (track.state.head<3>() - T_odom_camera.translation()) / units_;
   expected.coefficients = track.state.tail(track.model->modes());
   return expected;
 }
 
-Box ObjectTracks::ExpectedBox(const Track& track, const Camera& camera, const Eigen::Isometry3d& T_odom_camera) const {
+Box ObjectTracks::ExpectedBox(const Track& track, const Camera& camera,
+                              const Eigen::Isometry3d& T_odom_camera) const {
   const PoseAndShape expected = Expected(track, T_odom_camera, track.up_odom);
   ProjectedWireframe projected;
   const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
@@ -95,7 +98,8 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
       // What is seen may be only a part of what is expected, so being inside counts too.
       const double inside = Intersection(expected, seen).area() / std::max(seen.area(), 1.0);
       const double overlap = IntersectionOverUnion(expected, seen);
-      if (overlap > 0.25 || (inside > 0.7 && overlap > 0.1)) pairs.emplace_back(-overlap - 0.3 * inside, v, t);
+      if (overlap > 0.25 || (inside > 0.7 && overlap > 0.1))
+        pairs.emplace_back(-overlap - 0.3 * inside, v, t);
     }
   }
   std::sort(pairs.begin(), pairs.end());
@@ -119,11 +123,13 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
   memory.expected = Expected(track, T_odom_camera, up_odom);
   if (memory.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
   // Never too sure of it: floors keep a wrong memory correctable.
-  const double position_sigma = options_.min_relative_sigma * memory.expected.T_camera_object.translation().norm();
+  const double position_sigma =
+      options_.min_relative_sigma * memory.expected.T_camera_object.translation().norm();
   Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
   covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
   covariance(3, 3) += std::pow(options_.min_yaw_sigma_deg * kDegree, 2);
-  covariance.diagonal().tail(track.model->modes()).array() += options_.min_shape_sigma * options_.min_shape_sigma;
+  covariance.diagonal().tail(track.model->modes()).array() +=
+      options_.min_shape_sigma * options_.min_shape_sigma;
   Eigen::MatrixXd to_camera = Eigen::MatrixXd::Identity(track.unknowns(), track.unknowns());
   to_camera.topLeftCorner<3, 3>() = R_camera_odom;
   covariance = to_camera * covariance * to_camera.transpose();
@@ -136,8 +142,8 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
   return memory;
 }
 
-void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
-                         const Eigen::Isometry3d& T_odom_camera) {
+void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
+                         const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
   if (index < 0) {
     tracks_.push_back(NewTrack(*view.model));
     index = static_cast<int>(tracks_.size()) - 1;
@@ -158,17 +164,19 @@ void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
   const Eigen::Vector3d t = T.translation(), ray = t.normalized();
   const bool known = track.observations >= options_.min_observations;
 
-  // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's axes.
+  // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's
+  // axes.
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, 6 + B);
   G.block<3, 3>(0, 3) = R;
   G.block<1, 3>(3, 0) = (R.transpose() * track.up_odom).transpose();
   G.block(4, 6, B, B).setIdentity();
-  Eigen::MatrixXd covariance =
-      options_.measurement_scale * options_.measurement_scale * G * estimation.measured.covariance * G.transpose();
+  Eigen::MatrixXd covariance = options_.measurement_scale * options_.measurement_scale * G *
+                               estimation.measured.covariance * G.transpose();
   // The expected distance, not the measured one: near errors would weigh more than far ones.
   const double distance =
       known ? Expected(track, T_odom_camera, track.up_odom).T_camera_object.translation().norm() : t.norm();
-  const double depth_sigma = options_.depth_sigma * distance, lateral_sigma = options_.lateral_sigma * distance;
+  const double depth_sigma = options_.depth_sigma * distance,
+               lateral_sigma = options_.lateral_sigma * distance;
   covariance.topLeftCorner<3, 3>() += depth_sigma * depth_sigma * R * ray * ray.transpose() * R.transpose();
   covariance.diagonal().head<3>().array() += lateral_sigma * lateral_sigma;
   covariance(3, 3) += std::pow(options_.yaw_sigma_deg * kDegree, 2);
@@ -180,7 +188,8 @@ void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
   const double yaw = HorizontalAxes(track.up_odom).YawOf(R * T.linear().col(2));
   const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
   Eigen::VectorXd y(n);
-  y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw), estimation.measured.estimate.coefficients;
+  y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw),
+      estimation.measured.estimate.coefficients;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + 1);
   A.leftCols(n).setIdentity();
   A.block<3, 1>(0, n) = -R * t;
@@ -190,7 +199,9 @@ void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
     off.head<3>() -= units_ * R * t;
     weight = 1 / (1 + off.dot((track.covariance + covariance).llt().solve(off)) / (2 * n));
   }
-  if (known) LearnUnits(track, T_odom_camera, t.norm(), R * ray, (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
+  if (known)
+    LearnUnits(track, T_odom_camera, t.norm(), R * ray,
+               (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
   const Eigen::MatrixXd information = weight * covariance.inverse();
   // The category's shape statistics out of the measurement, inflated as it was; Update puts them in once.
   Eigen::MatrixXd without_prior = information;
@@ -201,8 +212,8 @@ void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,
   track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
 }
 
-// log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The more of
-// q itself rests on u (share f: all of it without a baseline), the less there is to learn.
+// log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
+// more of q itself rests on u (share f: all of it without a baseline), the less there is to learn.
 void ObjectTracks::LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
                               const Eigen::Vector3d& ray_odom, double variance_along) {
   const Eigen::Vector3d to_object = track.state.head<3>() - T_odom_camera.translation();
@@ -232,8 +243,9 @@ void ObjectTracks::Vote(Track& track, const ObjectView& view, const ObjectEstima
     const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
     const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
     double& cost = track.belief.cost[static_cast<size_t>(bin)];
-    cost = options_.fading * cost - options_.vote_weight *
-                                        std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
+    cost = options_.fading * cost -
+           options_.vote_weight *
+               std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
     least = std::min(least, cost);
   }
   for (double& cost : track.belief.cost) cost -= least;
@@ -258,7 +270,7 @@ void ObjectTracks::Update(double timestamp) {
   for (Track& track : tracks_) {
     const int n = track.unknowns();
     Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
-    zz.diagonal().tail(n - 4).array() += 1;         // the category's shape statistics
+    zz.diagonal().tail(n - 4).array() += 1;  // the category's shape statistics
     zz.diagonal().head<4>().array() += 1e-6;
     const Eigen::LLT<Eigen::MatrixXd> factor(zz);
     track.by_units = -factor.solve(track.normal.topRightCorner(n, 1));

@@ -11,9 +11,7 @@ class StageClock {
   explicit StageClock(double& milliseconds) : milliseconds_(milliseconds), start_(Clock::now()) {}
   StageClock(const StageClock&) = delete;
   StageClock& operator=(const StageClock&) = delete;
-  ~StageClock() {
-    milliseconds_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
+  ~StageClock() { milliseconds_ += std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -96,7 +96,8 @@ UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>&
         const double bisquare = 1 - off * off / (cone * cone);
         // Neighbouring frames see the same lines: each counts for a fraction.
         const double share = 1.0 / static_cast<double>(std::min<size_t>(window_.size(), 15));
-        information += share * frame.weights[i] * bisquare * bisquare / (segment_sigma * segment_sigma) * n * n.transpose();
+        information += share * frame.weights[i] * bisquare * bisquare / (segment_sigma * segment_sigma) * n *
+                       n.transpose();
       }
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(information);

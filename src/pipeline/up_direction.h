@@ -14,14 +14,14 @@
 namespace armature {
 
 struct UpOptions {
-  std::string source = "auto";       // "auto": the sequence's where given, else estimated; "estimate"; "level"
-  int window_frames = 120;           // frames whose evidence is kept
-  int segments_per_frame = 40;       // the longest
-  double cone_deg = 20;              // degrees: a segment may be vertical if its plane holds a direction this near
-  double segment_sigma_deg = 0.7;    // degrees: of a vertical segment's plane
-  double viewpoint_sigma_deg = 5;    // degrees: of one detection's elevation and tilt
-  double open_box_sigma_deg = 15;    // degrees: the same where the box may not show the whole object
-  double level_sigma_deg = 20;       // degrees: of the assumption of a level camera, in each frame
+  std::string source = "auto";  // "auto": the sequence's where given, else estimated; "estimate"; "level"
+  int window_frames = 120;      // frames whose evidence is kept
+  int segments_per_frame = 40;  // the longest
+  double cone_deg = 20;         // degrees: a segment may be vertical if its plane holds a direction this near
+  double segment_sigma_deg = 0.7;  // degrees: of a vertical segment's plane
+  double viewpoint_sigma_deg = 5;  // degrees: of one detection's elevation and tilt
+  double open_box_sigma_deg = 15;  // degrees: the same where the box may not show the whole object
+  double level_sigma_deg = 20;     // degrees: of the assumption of a level camera, in each frame
 };
 
 struct UpEstimate {
@@ -38,24 +38,25 @@ struct UpVote {
 // The vote of a detection whose object lies along the ray (camera frame), if it has elevation and tilt.
 std::optional<UpVote> VoteOf(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg);
 
-// Three kinds of evidence, each seldom wrong where another is: the detections' elevations and tilts say where up is to a
-// few degrees each, the vertical segments say it precisely once it is roughly known (their planes through the camera
-// hold it: the vanishing point of the verticals), and a camera is rarely held far from level.
-// Memory is bounded by the window.
+// Three kinds of evidence, each seldom wrong where another is: the detections' elevations and tilts say where
+// up is to a few degrees each, the vertical segments say it precisely once it is roughly known (their planes
+// through the camera hold it: the vanishing point of the verticals), and a camera is rarely held far from
+// level. Memory is bounded by the window.
 class UpEstimator {
  public:
   explicit UpEstimator(const UpOptions& options) : options_(options) {}
 
   // `T_odom_camera` missing: what the earlier frames said cannot be used and is forgotten.
-  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments, const std::vector<UpVote>& votes,
-                    const std::optional<Eigen::Isometry3d>& T_odom_camera);
+  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments,
+                    const std::vector<UpVote>& votes, const std::optional<Eigen::Isometry3d>& T_odom_camera);
 
-  // Replaces the last frame's votes: once an object's pose is known, so is the ray to its centre, which the centre of a
-  // box that shows only part of the object is not (off by 10 degrees in elevation where furniture hides furniture).
+  // Replaces the last frame's votes: once an object's pose is known, so is the ray to its centre, which the
+  // centre of a box that shows only part of the object is not (off by 10 degrees in elevation where furniture
+  // hides furniture).
   void ReviseVotes(const std::vector<UpVote>& votes);
 
  private:
-  struct FrameEvidence {                       // all in the frame of the odometry, unit
+  struct FrameEvidence {                         // all in the frame of the odometry, unit
     std::vector<Eigen::Vector3d> plane_normals;  // of segments' planes through the camera
     std::vector<double> weights;                 // of those, 0..1, by length
     std::vector<UpVote> votes;                   // level camera first

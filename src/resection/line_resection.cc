@@ -48,8 +48,8 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
   }
 }
 
-// Each side of the box is a line that the extreme point of the projection on that side should touch (seen sides) or
-// reach (open sides).
+// Each side of the box is a line that the extreme point of the projection on that side should touch (seen
+// sides) or reach (open sides).
 void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWireframe& projected,
             const BoxOptions& box_options, const ResectionOptions& options, ResectionProblem& problem) {
   if (options.box_weight <= 0) return;
@@ -58,8 +58,8 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   // Signed so that the distance is positive where the projection falls short of the side.
   std::array<Eigen::Vector3d, 4> lines = {
-      Eigen::Vector3d(1, 0, -box.left()), Eigen::Vector3d(0, 1, -box.top()), Eigen::Vector3d(-1, 0, box.right()),
-      Eigen::Vector3d(0, -1, box.bottom())};
+      Eigen::Vector3d(1, 0, -box.left()), Eigen::Vector3d(0, 1, -box.top()),
+      Eigen::Vector3d(-1, 0, box.right()), Eigen::Vector3d(0, -1, box.bottom())};
   for (size_t side = 0; side < 4; ++side) {
     if (extremes[side].edge < 0) continue;
     const ShapePoint point = PointOnEdge(*problem.model, extremes[side].edge, extremes[side].s);
@@ -88,9 +88,10 @@ void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProble
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 
-ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                             const ProjectedWireframe& projected, const PoseAndShape& start,
-                             const BoxOptions& box_options, const ResectionOptions& options) {
+ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
+                             const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                             const PoseAndShape& start, const BoxOptions& box_options,
+                             const ResectionOptions& options) {
   ResectionProblem problem;
   problem.camera = view.camera;
   problem.model = view.model;
@@ -145,8 +146,8 @@ Eigen::MatrixXd Covariance(const ResectionProblem& problem, const Eigen::VectorX
 }  // namespace
 
 ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start, const BoxOptions& box_options,
-                       const ResectionOptions& options) {
+                       const ProjectedWireframe& projected, const PoseAndShape& start,
+                       const BoxOptions& box_options, const ResectionOptions& options) {
   ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
   Solver::Parameters x = Solver::Parameters::Zero(problem.NumParameters());
   x.tail(problem.Modes()) = start.coefficients;
@@ -155,8 +156,9 @@ ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std:
   solver.options.function_tolerance = 1e-3;
   solver.options.parameter_tolerance = 1e-4;
   ResectionResult result;
-  result.iterations = options.mode == "alternating" ? SolveAlternating(solver, problem, x, options.alternations)
-                                                    : solver.Solve(problem, &x).iterations;
+  result.iterations = options.mode == "alternating"
+                          ? SolveAlternating(solver, problem, x, options.alternations)
+                          : solver.Solve(problem, &x).iterations;
   result.cost = solver.summary.final_cost;
   result.finite = x.allFinite();
   result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
@@ -166,17 +168,20 @@ ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std:
 }
 
 Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                                           const PoseAndShape& estimate, const BoxOptions& box_options,
-                                           const ResectionOptions& options) {
-  const ResectionProblem problem = MakeProblem(view, sides, matches, projected, estimate, box_options, options);
+                                           const std::vector<EdgeMatch>& matches,
+                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
+                                           const BoxOptions& box_options, const ResectionOptions& options) {
+  const ResectionProblem problem =
+      MakeProblem(view, sides, matches, projected, estimate, box_options, options);
   return Covariance(problem, estimate.coefficients).topLeftCorner<6, 6>();
 }
 
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                          const ProjectedWireframe& projected, const PoseAndShape& optimum,
-                          const BoxOptions& box_options, const ResectionOptions& options) {
-  const ResectionProblem problem = MakeProblem(view, sides, matches, projected, optimum, box_options, options);
+Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
+                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                          const PoseAndShape& optimum, const BoxOptions& box_options,
+                          const ResectionOptions& options) {
+  const ResectionProblem problem =
+      MakeProblem(view, sides, matches, projected, optimum, box_options, options);
   return {optimum, Covariance(problem, optimum.coefficients), problem.shape_weight * problem.shape_weight};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Resection (paper 3.4): the pose and shape that fit matched lines, the detection's box, the up direction, the floor and
-// the category's shape statistics best.
+// Resection (paper 3.4): the pose and shape that fit matched lines, the detection's box, the up direction,
+// the floor and the category's shape statistics best.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -33,27 +33,31 @@ struct ResectionResult {
   bool finite = true;
 };
 
-// One round: matches and the box's extreme points stay as they are at `start` (`projected` is its projection).
+// One round: matches and the box's extreme points stay as they are at `start` (`projected` is its
+// projection).
 ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start, const BoxOptions& box_options,
-                       const ResectionOptions& options);
+                       const ProjectedWireframe& projected, const PoseAndShape& start,
+                       const BoxOptions& box_options, const ResectionOptions& options);
 
 // Covariance of the pose (see ObjectEstimate) at the given estimate, shape marginalised.
 Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                                           const PoseAndShape& estimate, const BoxOptions& box_options,
-                                           const ResectionOptions& options);
+                                           const std::vector<EdgeMatch>& matches,
+                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
+                                           const BoxOptions& box_options, const ResectionOptions& options);
 
 // What one image says about pose and shape, for filters over many images.
 struct Measurement {
-  PoseAndShape estimate;       // the optimum
-  Eigen::MatrixXd covariance;  // of (rotation, translation, coefficients), (6+B) x (6+B), as ObjectEstimate::covariance
-  // The category's shape statistics are part of it with this information on each coefficient. A filter has to take them
-  // out of each measurement and put them in once: or a length that no image shows becomes surer with every image.
+  PoseAndShape estimate;  // the optimum
+  Eigen::MatrixXd
+      covariance;  // of (rotation, translation, coefficients), (6+B) x (6+B), as ObjectEstimate::covariance
+  // The category's shape statistics are part of it with this information on each coefficient. A filter has to
+  // take them out of each measurement and put them in once: or a length that no image shows becomes surer
+  // with every image.
   double shape_prior_information = 0;
 };
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                          const ProjectedWireframe& projected, const PoseAndShape& optimum,
-                          const BoxOptions& box_options, const ResectionOptions& options);
+Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
+                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                          const PoseAndShape& optimum, const BoxOptions& box_options,
+                          const ResectionOptions& options);
 
 }  // namespace armature

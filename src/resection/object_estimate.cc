@@ -13,11 +13,16 @@ int MatchedEdges(const std::vector<EdgeMatch>& matches) {
 
 std::string_view StatusName(EstimateStatus status) {
   switch (status) {
-    case EstimateStatus::kOk: return "ok";
-    case EstimateStatus::kTooFewEdges: return "too_few_edges";
-    case EstimateStatus::kBehindCamera: return "behind_camera";
-    case EstimateStatus::kDiverged: return "diverged";
-    case EstimateStatus::kOffTheBox: return "off_the_box";
+    case EstimateStatus::kOk:
+      return "ok";
+    case EstimateStatus::kTooFewEdges:
+      return "too_few_edges";
+    case EstimateStatus::kBehindCamera:
+      return "behind_camera";
+    case EstimateStatus::kDiverged:
+      return "diverged";
+    case EstimateStatus::kOffTheBox:
+      return "off_the_box";
   }
   return "unknown";
 }

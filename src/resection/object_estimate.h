@@ -10,7 +10,8 @@
 
 namespace armature {
 
-// One edge of the wireframe explained by one line segment (an edge may be explained by several collinear fragments).
+// One edge of the wireframe explained by one line segment (an edge may be explained by several collinear
+// fragments).
 struct EdgeMatch {
   int edge = 0;     // index into the category's edges
   Segment segment;  // pixels, the part inside the detection's grown box
@@ -35,14 +36,15 @@ struct ObjectEstimate {
   EstimateStatus status = EstimateStatus::kTooFewEdges;
   Eigen::Isometry3d T_camera_object = Eigen::Isometry3d::Identity();  // metres
   Eigen::VectorXd coefficients;                                       // shape, standard deviations
-  // Of the pose, after marginalising over the shape. Order: rotation (radians), then translation (metres), both in the
-  // camera frame: R = exp(w) R_est, t = t_est + v.
+  // Of the pose, after marginalising over the shape. Order: rotation (radians), then translation (metres),
+  // both in the camera frame: R = exp(w) R_est, t = t_est + v.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   std::vector<EdgeMatch> matches;
-  double cost = 0;        // the association's cost of this estimate, smaller is better, see association/cost.h
+  double cost = 0;  // the association's cost of this estimate, smaller is better, see association/cost.h
   double rms_pixels = 0;  // of the matched segments' ends from their projected edges
   int iterations = 0;     // of the optimiser, all rounds of the winning hypothesis
-  bool ambiguous = false;  // another, clearly different turn explains the lines equally well; the prior decided
+  bool ambiguous =
+      false;  // another, clearly different turn explains the lines equally well; the prior decided
 };
 
 }  // namespace armature

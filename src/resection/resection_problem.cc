@@ -55,7 +55,8 @@ double LineRow(const PointOnLineTerm& term, const Camera& camera, const State& s
   const double inverse_z = 1 / std::max(P.z(), kNearestDepth);
   const double ax = term.line.x() * camera.fx, by = term.line.y() * camera.fy;
   const double x = P.x() * inverse_z, y = P.y() * inverse_z;
-  const double distance = ax * x + by * y + term.line.x() * camera.cx + term.line.y() * camera.cy + term.line.z();
+  const double distance =
+      ax * x + by * y + term.line.x() * camera.cx + term.line.y() * camera.cy + term.line.z();
   if (term.only_positive && distance < 0) {
     if (J) J->row(row).setZero();
     return 0;
@@ -109,7 +110,8 @@ Eigen::Vector3d BaseRows(const ResectionProblem& problem, const State& state, in
   return problem.up_weight * (Rn - problem.up_camera);
 }
 
-// (R M1 + T) x (R M2 + T) = Y exactly as printed: not a normal, and not free of scale; kept for the comparison.
+// (R M1 + T) x (R M2 + T) = Y exactly as printed: not a normal, and not free of scale; kept for the
+// comparison.
 Eigen::Vector3d PrintedRows(const ResectionProblem& problem, const State& state, int row, Jacobian* J) {
   const auto [e1, e2] = problem.model->spec.base_edges;
   const ShapePoint m1 = PointOnEdge(*problem.model, e1, 0), m2 = PointOnEdge(*problem.model, e2, 0);
@@ -129,16 +131,21 @@ Eigen::Vector3d PrintedRows(const ResectionProblem& problem, const State& state,
 Eigen::Vector3d NormalRows(const ResectionProblem& problem, const State& state, int row, Jacobian* J) {
   if (J) J->middleRows<3>(row).setZero();
   switch (problem.normal_term) {
-    case NormalTerm::kNone: return Eigen::Vector3d::Zero();
-    case NormalTerm::kAxis: return AxisRows(state, problem.up_camera, problem.up_weight, row, J);
-    case NormalTerm::kBase: return BaseRows(problem, state, row, J);
-    case NormalTerm::kPrinted: return PrintedRows(problem, state, row, J);
+    case NormalTerm::kNone:
+      return Eigen::Vector3d::Zero();
+    case NormalTerm::kAxis:
+      return AxisRows(state, problem.up_camera, problem.up_weight, row, J);
+    case NormalTerm::kBase:
+      return BaseRows(problem, state, row, J);
+    case NormalTerm::kPrinted:
+      return PrintedRows(problem, state, row, J);
   }
   return Eigen::Vector3d::Zero();
 }
 
 // r = L^T (z - z_expected), scaled as a whole by a = 1 / sqrt(1 + |r|^2 / c^2).
-void MemoryRows(const ResectionProblem& problem, const State& state, int row, double* residuals, Jacobian* J) {
+void MemoryRows(const ResectionProblem& problem, const State& state, int row, double* residuals,
+                Jacobian* J) {
   const ObjectMemory& memory = *problem.memory;
   const Eigen::VectorXd r = memory.sqrt_information * memory.Difference(state.R, state.T, state.lambda);
   const double c2 = problem.memory_loss_scale * problem.memory_loss_scale;
@@ -155,7 +162,8 @@ void MemoryRows(const ResectionProblem& problem, const State& state, int row, do
   J->middleRows(row, r.size()) = a * by_x - (a * a * a / c2) * r * (r.transpose() * by_x);
 }
 
-void RegulariserRows(const ResectionProblem& problem, const State& state, int row, double* residuals, Jacobian* J) {
+void RegulariserRows(const ResectionProblem& problem, const State& state, int row, double* residuals,
+                     Jacobian* J) {
   Eigen::Map<Eigen::VectorXd>(residuals + row, problem.Modes()) = problem.shape_weight * state.lambda;
   if (!J) return;
   J->middleRows(row, problem.Modes()).setZero();

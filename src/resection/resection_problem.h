@@ -3,17 +3,18 @@
 //
 // Unknowns x = (w, v, lambda): R = exp(w) R0, T = T0 + v, shape = mean + basis * (deviations .* lambda).
 //
-// The paper constrains the plane through the camera and a segment (normal N) twice, eqs. normal_constraint1 and 2:
+// The paper constrains the plane through the camera and a segment (normal N) twice, eqs. normal_constraint1
+// and 2:
 //   N . (R D) = 0   and   N . (R M + T) = 0.
-// Any point X = M + s D of the edge then satisfies N . (R X + T) = (N . (R M + T)) + s (N . R D) = 0. We take the two
-// points whose images lie nearest to the segment's ends and divide by the depth: with N = K^T l, l the segment's line
-// in pixels, l = (a, b, c), a^2 + b^2 = 1, both residuals become the distance in pixels
+// Any point X = M + s D of the edge then satisfies N . (R X + T) = (N . (R M + T)) + s (N . R D) = 0. We take
+// the two points whose images lie nearest to the segment's ends and divide by the depth: with N = K^T l, l
+// the segment's line in pixels, l = (a, b, c), a^2 + b^2 = 1, both residuals become the distance in pixels
 //   r = l . pi(R X + T).
-// It is the same pair of constraints, mixed so that they are in pixels and a short segment says little about the far
-// end of a long edge.
+// It is the same pair of constraints, mixed so that they are in pixels and a short segment says little about
+// the far end of a long edge.
 //
-// Robust loss: Geman-McClure, applied to the residual itself, r -> r / sqrt(1 + (r/c)^2), so that half the squared norm
-// of what the solver sees is the robust cost and its derivative is exact.
+// Robust loss: Geman-McClure, applied to the residual itself, r -> r / sqrt(1 + (r/c)^2), so that half the
+// squared norm of what the solver sees is the robust cost and its derivative is exact.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -40,13 +41,15 @@ ShapePoint PointOnEdge(const CategoryModel& model, int edge, double s);
 // A point that should be seen on an image line: residual = weight * robust(l . pi(R X + T)).
 struct PointOnLineTerm {
   ShapePoint point;
-  Eigen::Vector3d line;       // a^2 + b^2 = 1, pixels
-  double weight = 1;          // 1 / pixels
-  double loss_scale = 3;      // of the weighted residual
-  bool only_positive = false; // no cost where the signed distance is negative (a side that may be hidden or cut)
+  Eigen::Vector3d line;   // a^2 + b^2 = 1, pixels
+  double weight = 1;      // 1 / pixels
+  double loss_scale = 3;  // of the weighted residual
+  bool only_positive =
+      false;  // no cost where the signed distance is negative (a side that may be hidden or cut)
 };
 
-// A point that should lie on a plane of the camera frame: residual = weight * robust(normal . (R X + T) + offset).
+// A point that should lie on a plane of the camera frame: residual = weight * robust(normal . (R X + T) +
+// offset).
 struct PointOnPlaneTerm {
   ShapePoint point;
   Eigen::Vector3d normal;  // unit, camera frame
@@ -57,8 +60,9 @@ struct PointOnPlaneTerm {
 
 enum class NormalTerm {
   kNone,
-  kAxis,     // the object's y axis is up (models stand upright in their frame, so this holds whatever the seat's slope)
-  kBase,     // the base's normal R D1 x R D2, normalised, is up
+  kAxis,  // the object's y axis is up (models stand upright in their frame, so this holds whatever the seat's
+          // slope)
+  kBase,  // the base's normal R D1 x R D2, normalised, is up
   kPrinted,  // (R M1 + T) x (R M2 + T) = Y, as the paper prints eq. phi_normal
 };
 
@@ -77,8 +81,8 @@ struct ResectionProblem {
   Eigen::Vector3d up_camera{0, -1, 0};  // unit
   double up_weight = 0;                 // 1 / radians
   double shape_weight = 1;              // of each coefficient in standard deviations
-  // What earlier frames say, instead of the shape's regulariser; none: null. Its 4 + B whitened residuals share one
-  // robust loss: the memory is right or wrong as a whole.
+  // What earlier frames say, instead of the shape's regulariser; none: null. Its 4 + B whitened residuals
+  // share one robust loss: the memory is right or wrong as a whole.
   const ObjectMemory* memory = nullptr;
   double memory_loss_scale = 5;  // standard deviations
   // Which unknowns may move; the paper alternates between pose and shape.

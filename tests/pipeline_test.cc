@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "geometry/rotation.h"
+#include "pipeline/floor_height.h"
+#include "pipeline/frame_pipeline.h"
+#include "pipeline/object_estimator.h"
+#include "pipeline/object_tracks.h"
+#include "pipeline/up_direction.h"
+#include "support/synthetic_view.h"
+
+namespace armature {
+namespace {
+
+using testing::SyntheticView;
+
+double AngleDeg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) / kDegree;
+}
+
+TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
+  for (const char* category : {"chair", "table", "laptop"}) {
+    SyntheticView synthetic(category, 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d(0.5, -0.5));
+    synthetic.view.detection.azimuth = 0.6 + 12 * kDegree;  // the prior is off
+    EstimatorTimes times;
+    const ObjectEstimation result = EstimateObject(synthetic.view, {}, {}, times);
+    EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << category;
+    const Eigen::Isometry3d& T = result.estimate.T_camera_object;
+    const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+    const Eigen::Isometry3d& truth = synthetic.truth.T_camera_object;
+    const double true_azimuth = ViewpointFromRotation(truth.linear(), truth.translation()).azimuth;
+    EXPECT_LT(std::abs(WrapAngle(azimuth - true_azimuth)), 4 * kDegree) << category;
+    EXPECT_LT((T.translation() - truth.translation()).norm(), 0.08 * truth.translation().norm()) << category;
+    EXPECT_GT(times.association_ms, 0);
+    EXPECT_GT(times.optimization_ms, 0);
+  }
+}
+
+TEST(ObjectEstimator, NoSegmentsAreTooFewEdges) {
+  SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
+  synthetic.view.segments.clear();
+  EstimatorTimes times;
+  EXPECT_EQ(EstimateObject(synthetic.view, {}, {}, times).estimate.status, EstimateStatus::kTooFewEdges);
+}
+
+TEST(ObjectEstimator, ThePrintedVariantRuns) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
+  AssociationOptions association;
+  association.cost = "printed";
+  association.hypotheses.printed_translation = true;
+  association.refined_hypotheses = 1;
+  ResectionOptions resection;
+  resection.mode = "alternating";
+  resection.normal_term = "printed";
+  EstimatorTimes times;
+  const ObjectEstimation result = EstimateObject(synthetic.view, association, resection, times);
+  EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());
+  EXPECT_EQ(result.estimate.matches.size(),
+            synthetic.model.spec.edge_names.size());  // every edge takes a segment
+}
+
+TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
+  const Camera camera{640, 480, 500, 500, 320, 240, {}};
+  const Eigen::Vector3d up = Eigen::Vector3d(0.05, -0.9, -0.4).normalized();
+  std::vector<Segment> segments;
+  for (int i = 0; i < 12; ++i) {  // posts standing about
+    const Eigen::Vector3d foot(-1.2 + 0.2 * i, 0.6, 3 + 0.1 * (i % 3));
+    segments.push_back({camera.Project(foot), camera.Project(foot + 0.8 * up)});
+    segments.push_back({{20.0 + 45 * i, 30}, {60.0 + 45 * i, 40 + 3.0 * i}});  // clutter
+  }
+  const UpVote rough{ExpSO3({0.06, 0, 0.05}) * up, 5 * kDegree};
+  UpEstimator estimator(UpOptions{});
+  UpEstimate estimate;
+  for (int frame = 0; frame < 5; ++frame) {
+    estimate = estimator.Update(camera, segments, {rough, rough}, Eigen::Isometry3d::Identity());
+  }
+  EXPECT_GT(AngleDeg(rough.up_camera, up), 4);
+  EXPECT_LT(AngleDeg(estimate.up_camera, up), 1);
+}
+
+TEST(UpEstimator, EarlierFramesCountThroughTheOdometry) {
+  const Camera camera{640, 480, 500, 500, 320, 240, {}};
+  const Eigen::Vector3d up_odom = Eigen::Vector3d(0, -1, -0.5).normalized();
+  UpEstimator estimator(UpOptions{});
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  for (int frame = 0; frame < 30; ++frame) {
+    T.linear() = ExpSO3({0, 0.03 * frame, 0});
+    estimator.Update(camera, {}, {{T.linear().transpose() * up_odom, 5 * kDegree}}, T);
+  }
+  T.linear() = ExpSO3({0.4, 1.0, 0});
+  const UpEstimate estimate = estimator.Update(camera, {}, {}, T);  // no vote of its own
+  EXPECT_LT(AngleDeg(estimate.up_camera, T.linear().transpose() * up_odom), 3);
+}
+
+ObjectEstimation MeasuredAs(const PoseAndShape& at) {
+  ObjectEstimation estimation;
+  estimation.estimate.status = EstimateStatus::kOk;
+  estimation.estimate.T_camera_object = at.T_camera_object;
+  estimation.estimate.coefficients = at.coefficients;
+  estimation.measured.estimate = at;
+  estimation.measured.covariance =
+      Eigen::MatrixXd::Identity(6 + at.coefficients.size(), 6 + at.coefficients.size()) * 1e-4;
+  estimation.measured.covariance.bottomRightCorner(at.coefficients.size(), at.coefficients.size()) *= 1e3;
+  estimation.measured.shape_prior_information = 0.5;
+  return estimation;
+}
+
+TEST(FloorHeight, IsLearntFromWhatStandsOnIt) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  const Eigen::Vector3d up = *synthetic.view.up_camera;
+  const double truth =
+      CameraHeightAbove(WireframeFromCoefficients(synthetic.model, synthetic.truth.coefficients),
+                        synthetic.truth.T_camera_object, up);
+  FloorHeight floor{FloorOptions{}};
+  for (int frame = 0; frame < 60; ++frame) {
+    floor.Predict(0.1 * frame, 0.0);
+    floor.Learn(MeasuredAs(synthetic.truth), synthetic.model, up);
+  }
+  EXPECT_NEAR(floor.Predict(6.0, 0.0)->camera_height, truth, 0.05);
+  EXPECT_NEAR(floor.Predict(6.1, 0.3)->camera_height, truth + 0.3, 0.05);  // the camera rose
+}
+
+// A camera that flies past a chair with an odometry in units of 2.5 metres.
+TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero(), 0.0);
+  const double scale = 2.5;
+  ObjectTracks tracks{TrackOptions{}};
+  ObjectView view = synthetic.view;
+  const Eigen::Isometry3d T_world_object = synthetic.truth.T_camera_object;  // the first camera is the world
+  const auto camera_at = [](int frame) {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.translation() << 0.04 * frame, 0, 0.01 * frame;
+    return T;
+  };
+  const auto odometry_of = [&](Eigen::Isometry3d T) {
+    T.translation() /= scale;
+    return T;
+  };
+  for (int frame = 0; frame < 50; ++frame) {
+    const Eigen::Isometry3d T = camera_at(frame);
+    PoseAndShape seen{T.inverse() * T_world_object, synthetic.truth.coefficients};
+    view.detection.azimuth =
+        ViewpointFromRotation(seen.T_camera_object.linear(), seen.T_camera_object.translation()).azimuth;
+    tracks.Learn(frame == 0 ? -1 : 0, 0.1 * frame, view, MeasuredAs(seen), odometry_of(T));
+    tracks.Update(0.1 * frame);
+  }
+  ASSERT_TRUE(tracks.Scale());
+  EXPECT_NEAR(*tracks.Scale(), scale, 0.1 * scale);
+  const Eigen::Isometry3d T = camera_at(55);
+  const auto memory = tracks.Recall(0, odometry_of(T), *view.up_camera);
+  ASSERT_TRUE(memory);
+  const Eigen::Isometry3d expected = T.inverse() * T_world_object;
+  EXPECT_LT((memory->expected.T_camera_object.translation() - expected.translation()).norm(), 0.1);
+  EXPECT_LT(AngleDeg(memory->expected.T_camera_object.linear().col(2), expected.linear().col(2)), 3);
+}
+
+TEST(ObjectTracks, ADetectionWhereTheObjectIsExpectedContinuesItsTrack) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  ObjectTracks tracks{TrackOptions{}};
+  tracks.Learn(-1, 0, synthetic.view, MeasuredAs(synthetic.truth), Eigen::Isometry3d::Identity());
+  tracks.Update(0);
+  ObjectView elsewhere = synthetic.view;
+  elsewhere.detection.box.x += 300;
+  EXPECT_EQ(tracks.Associate(0.1, {elsewhere, synthetic.view}, Eigen::Isometry3d::Identity()),
+            (std::vector<int>{-1, 0}));
+}
+
+TEST(ObjectTracks, PriorsTurnedByHalfATurnAreOutvoted) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  ObjectTracks tracks{TrackOptions{}};
+  ObjectView view = synthetic.view;
+  for (int frame = 0; frame < 10; ++frame) {
+    view.detection.azimuth = 0.6 + (frame == 4 ? M_PI : 0.0);
+    tracks.Learn(frame == 0 ? -1 : 0, 0.1 * frame, view, MeasuredAs(synthetic.truth),
+                 Eigen::Isometry3d::Identity());
+    tracks.Update(0.1 * frame);
+  }
+  const auto memory = tracks.Recall(0, Eigen::Isometry3d::Identity(), *view.up_camera);
+  ASSERT_TRUE(memory);
+  const Eigen::Vector3d front = synthetic.truth.T_camera_object.linear().col(2);
+  const double yaw = std::atan2(front.dot(memory->yaw_quarter), front.dot(memory->yaw_zero));
+  EXPECT_LT(memory->belief.At(yaw), 1);
+  EXPECT_GT(memory->belief.At(yaw + M_PI), 3);
+}
+
+TEST(FramePipeline, AFrameWithoutDetectionsHasNoObservations) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+  const FrameResult result = pipeline.Process(cv::Mat::zeros(480, 856, CV_8U), {0.0, {}, std::nullopt});
+  EXPECT_TRUE(result.observations.empty());
+  EXPECT_TRUE(result.segments.empty());
+  EXPECT_NEAR(result.up_camera.norm(), 1, 1e-9);
+}
+
+TEST(FramePipeline, IdenticalInputGivesIdenticalOutput) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  cv::Mat image(480, 856, CV_8U);
+  cv::RNG rng(7);
+  rng.fill(image, cv::RNG::UNIFORM, 0, 255);
+  const auto run = [&] {
+    FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+    return pipeline.Process(image, {0.0, {synthetic.view.detection}, Eigen::Isometry3d::Identity()});
+  };
+  const FrameResult a = run(), b = run();
+  EXPECT_EQ(a.observations[0].estimate.T_camera_object.matrix(),
+            b.observations[0].estimate.T_camera_object.matrix());
+  EXPECT_EQ(a.observations[0].estimate.cost, b.observations[0].estimate.cost);
+}
+
+}  // namespace
+}  // namespace armature
