@@ -81,14 +81,36 @@ constexpr double kCell = 0.025;  // metres, of the floor's light
 constexpr int kLampPoints = 3;   // along each side of the lamp
 constexpr double kLampSize = 0.9;
 
-double LampShare(const Vector3d& point, const Vector3d& lamp, const std::vector<Cuboid>& blocks) {
+// A piece of furniture, world frame: a point that the box around it does not hide is not hidden by its parts.
+struct Obstacle {
+  Cuboid around;
+  std::vector<Cuboid> parts;
+};
+
+Obstacle ObstacleOf(const PlacedFurniture& piece) {
+  Obstacle obstacle;
+  obstacle.around.T_parent_cuboid = piece.T_world_object;
+  obstacle.around.size = piece.furniture.size;
+  for (Cuboid part : piece.furniture.parts) {
+    part.T_parent_cuboid = piece.T_world_object * part.T_parent_cuboid;
+    obstacle.parts.push_back(part);
+  }
+  return obstacle;
+}
+
+bool Hides(const Obstacle& obstacle, const Vector3d& point, const Vector3d& lamp) {
+  const auto blocks = [&](const Cuboid& cuboid) { return Blocks(cuboid, point, lamp); };
+  return blocks(obstacle.around) && std::any_of(obstacle.parts.begin(), obstacle.parts.end(), blocks);
+}
+
+double LampShare(const Vector3d& point, const Vector3d& lamp, const std::vector<Obstacle>& obstacles) {
   int seen = 0;
   for (int i = 0; i < kLampPoints; ++i) {
     for (int j = 0; j < kLampPoints; ++j) {
       const Vector3d offset((i + 0.5) / kLampPoints - 0.5, (j + 0.5) / kLampPoints - 0.5, 0);
       const Vector3d at = lamp + kLampSize * offset;
-      const bool hidden = std::any_of(blocks.begin(), blocks.end(),
-                                      [&](const Cuboid& block) { return Blocks(block, point, at); });
+      const bool hidden = std::any_of(obstacles.begin(), obstacles.end(),
+                                      [&](const Obstacle& obstacle) { return Hides(obstacle, point, at); });
       if (!hidden) ++seen;
     }
   }
@@ -134,19 +156,15 @@ std::vector<Polygon> FurniturePolygons(const std::vector<PlacedFurniture>& furni
 
 RoomLight::RoomLight(const RoomShape& shape, const std::vector<PlacedFurniture>& furniture)
     : lamp_(0.3, -0.6, shape.height - 0.1), low_(shape.low) {
-  std::vector<Cuboid> blocks;
-  for (const PlacedFurniture& piece : furniture) {
-    for (Cuboid part : piece.furniture.parts) {
-      part.T_parent_cuboid = piece.T_world_object * part.T_parent_cuboid;
-      blocks.push_back(part);
-    }
-  }
+  std::vector<Obstacle> obstacles;
+  obstacles.reserve(furniture.size());
+  for (const PlacedFurniture& piece : furniture) obstacles.push_back(ObstacleOf(piece));
   const Vector2d size = (shape.high - shape.low) / kCell;
   visibility_.create(static_cast<int>(size.y()) + 2, static_cast<int>(size.x()) + 2);
   for (int row = 0; row < visibility_.rows; ++row) {
     for (int column = 0; column < visibility_.cols; ++column) {
       const Vector3d point(low_.x() + column * kCell, low_.y() + row * kCell, 0.001);
-      visibility_(row, column) = LampShare(point, lamp_, blocks);
+      visibility_(row, column) = LampShare(point, lamp_, obstacles);
     }
   }
 }
