@@ -192,7 +192,8 @@ TEST(HypothesisCost, IsLowestAtTheTruth) {
   const SyntheticView synthetic("chair", 0.6, {0.1, 0.2, 2.6}, Eigen::Vector2d::Zero());
   const auto cost = [&](const PoseAndShape& at) {
     const ProjectedWireframe projected = synthetic.Project(at);
-    return PriorCost(synthetic.view, at, synthetic.view.sides, projected, {}, {}) +
+    return PriorCost(synthetic.view, at, WireframeFromCoefficients(synthetic.model, at.coefficients),
+                     synthetic.view.sides, projected, {}, {}) +
            LineCost(synthetic.view, projected, CoveredLength(projected, synthetic.view.segments, {8, 0.15}),
                     {});
   };

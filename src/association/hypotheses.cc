@@ -25,22 +25,6 @@ std::vector<double> Offsets(double spread, double step) {
   return offsets;
 }
 
-// Turns about y, modulo half a turn, at which the category's mean has horizontal edges.
-std::vector<double> HorizontalEdgeAngles(const CategoryModel& model) {
-  std::vector<double> angles;
-  const Wireframe mean = WireframeFromVector(model.mean);
-  for (int e = 0; e < mean.edges(); ++e) {
-    const Eigen::Vector3d D = mean.directions.col(e);
-    if (std::abs(D.y()) > 0.2 * D.norm()) continue;
-    const double angle = std::atan2(D.x(), D.z());
-    const bool known = std::any_of(angles.begin(), angles.end(), [&](double other) {
-      return std::abs(AzimuthDifference(angle, other, 2)) < 10 * kDegree;
-    });
-    if (!known) angles.push_back(angle);
-  }
-  return angles;
-}
-
 std::vector<Eigen::Matrix3d> Rotations(const ObjectView& view, double azimuth,
                                        const HypothesisOptions& options) {
   const Eigen::Vector3d ray = BoxRay(view);
@@ -76,7 +60,7 @@ BoxSides SidesFor(const ObjectView& view, const Wireframe& wireframe, const Eige
                   const BoxOptions& options) {
   ProjectedWireframe projected;
   const Box image{0, 0, view.camera->width - 1.0, view.camera->height - 1.0};
-  ProjectWireframe(*view.camera, view.model->spec, wireframe, T, image, {}, projected);
+  ProjectEdges(*view.camera, wireframe, T, image, projected);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   const Box& box = view.detection.box;
   const auto [sigma_x, sigma_y] = SideSigmas(box, options);
@@ -90,74 +74,57 @@ BoxSides SidesFor(const ObjectView& view, const Wireframe& wireframe, const Eige
   return sides;
 }
 
-void AddLineSeeds(const ObjectView& view, double azimuth, const Eigen::Matrix3d& R,
-                  const Wireframe& wireframe, const Eigen::VectorXd& coefficients,
-                  const BoxOptions& box_options, const HypothesisOptions& options,
-                  std::vector<Hypothesis>& hypotheses) {
-  for (const Eigen::Vector3d& translation : TranslationsFromLines(view, wireframe, R, options.line_seeds)) {
-    Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), coefficients}, view.sides, azimuth};
-    hypothesis.start.T_camera_object.linear() = R;
-    hypothesis.start.T_camera_object.translation() = translation;
-    hypothesis.sides = SidesFor(view, wireframe, hypothesis.start.T_camera_object, box_options);
-    hypotheses.push_back(std::move(hypothesis));
-  }
-}
-
 std::vector<double> DepthFactors(const HypothesisOptions& options) {
   if (options.depth_factor == 1) return {1.0};
   return {1.0, 1 / options.depth_factor, options.depth_factor};
 }
 
-}  // namespace
+// A representative shape of the dictionary under one rotation.
+struct Turned {
+  int dictionary_index;
+  const Eigen::VectorXd& coefficients;
+  const Wireframe& wireframe;
+  double azimuth;
+  const Eigen::Matrix3d& R;
+};
 
-std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
-                                                 int max_peaks) {
-  if (!view.up_camera || max_peaks <= 0) return {};
-  constexpr int kBins = 90;  // of 2 degrees, over half a turn about the prior... a full turn has 180
-  constexpr double kBin = 2 * kDegree;
-  std::array<double, 2 * kBins> votes{};
-  const Eigen::Vector3d up = *view.up_camera;
-  const Eigen::Matrix3d R0 = UprightRotation(0, up, BoxRay(view));
-  const std::vector<double> edge_angles = HorizontalEdgeAngles(*view.model);
-  for (const Segment& segment : view.segments) {
-    const Eigen::Vector3d n = view.camera->Ray(segment.p1).cross(view.camera->Ray(segment.p2)).normalized();
-    const Eigen::Vector3d along = up.cross(n);
-    // A plane that is itself nearly horizontal holds every direction; one that holds `up` may be a vertical
-    // edge.
-    if (along.norm() < 0.15 || std::abs(n.dot(up)) < 0.05) continue;
-    const Eigen::Vector3d in_object = R0.transpose() * along;
-    const double angle = std::atan2(in_object.x(), in_object.z());
-    // R = R0 Ry(-azimuth): an edge at angle a of the object appears at a - azimuth in R0's frame.
-    for (const double edge_angle : edge_angles) {
-      for (const double half_turn : {0.0, M_PI}) {
-        const double offset = WrapAngle(edge_angle - angle + half_turn - prior_azimuth);
-        const int bin = static_cast<int>(std::floor((offset + M_PI) / kBin)) % (2 * kBins);
-        votes[static_cast<size_t>(bin)] += segment.length();
-      }
-    }
-  }
-  std::vector<double> peaks;
-  const auto smoothed = [&](int bin) {
-    double sum = 0;
-    for (int d = -1; d <= 1; ++d) sum += votes[static_cast<size_t>((bin + d + 2 * kBins) % (2 * kBins))];
-    return sum + votes[static_cast<size_t>(bin)];
-  };
-  std::vector<std::pair<double, int>> ranked;
-  for (int bin = 0; bin < 2 * kBins; ++bin) {
-    const double offset = (bin + 0.5) * kBin - M_PI;
-    if (std::abs(offset) <= spread) ranked.push_back({-smoothed(bin), bin});
-  }
-  std::sort(ranked.begin(), ranked.end());
-  for (const auto& [negative_votes, bin] : ranked) {
-    if (negative_votes == 0 || static_cast<int>(peaks.size()) >= max_peaks) break;
-    const double azimuth = WrapAngle(prior_azimuth + (bin + 0.5) * kBin - M_PI);
-    const bool near_other = std::any_of(peaks.begin(), peaks.end(), [&](double other) {
-      return std::abs(WrapAngle(other - azimuth)) < 6 * kDegree;
-    });
-    if (!near_other) peaks.push_back(azimuth);
-  }
-  return peaks;
+Hypothesis At(const Turned& turned, const BoxSides& sides, const Eigen::Vector3d& translation) {
+  Hypothesis hypothesis{
+      {Eigen::Isometry3d::Identity(), turned.coefficients}, turned.dictionary_index, sides, turned.azimuth};
+  hypothesis.start.T_camera_object.linear() = turned.R;
+  hypothesis.start.T_camera_object.translation() = translation;
+  return hypothesis;
 }
+
+void AddBoxHypotheses(const ObjectView& view, const Turned& turned, const std::vector<BoxSides>& variants,
+                      const HypothesisOptions& options, std::vector<Hypothesis>& hypotheses) {
+  for (const BoxSides& sides : variants) {
+    const Eigen::Vector3d T = options.printed_translation
+                                  ? PrintedTranslation(view, turned.wireframe, turned.R)
+                                  : TranslationFromBox(view, sides, turned.wireframe, turned.R);
+    for (const double factor : DepthFactors(options)) hypotheses.push_back(At(turned, sides, factor * T));
+  }
+}
+
+void AddLineHypotheses(const ObjectView& view, const Turned& turned, const BoxOptions& box_options,
+                       const HypothesisOptions& options, std::vector<Hypothesis>& hypotheses) {
+  for (const Eigen::Vector3d& T :
+       TranslationsFromLines(view, turned.wireframe, turned.R, options.line_seeds)) {
+    Hypothesis hypothesis = At(turned, view.sides, T);
+    hypothesis.sides = SidesFor(view, turned.wireframe, hypothesis.start.T_camera_object, box_options);
+    hypotheses.push_back(std::move(hypothesis));
+  }
+}
+
+void AddMemoryHypotheses(const ObjectView& view, const std::vector<BoxSides>& variants,
+                         std::vector<Hypothesis>& hypotheses) {
+  const PoseAndShape& expected = view.memory->expected;
+  const Eigen::Isometry3d& T = expected.T_camera_object;
+  const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+  for (const BoxSides& sides : variants) hypotheses.push_back({expected, -1, sides, azimuth});
+}
+
+}  // namespace
 
 std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOptions& options) {
   std::vector<double> azimuths;
@@ -176,41 +143,20 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
   return azimuths;
 }
 
-std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions& box_options,
-                                       const HypothesisOptions& options) {
+std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const std::vector<Wireframe>& dictionary,
+                                       const BoxOptions& box_options, const HypothesisOptions& options) {
   std::vector<Hypothesis> hypotheses;
   const std::vector<BoxSides> variants = SideVariants(view, options);
-  const std::vector<double> depth_factors = DepthFactors(options);
   const bool seeds_from_lines = options.line_seeds.enabled && NeedsLineSeeds(view);
-  std::vector<Wireframe> wireframes;
-  for (const Eigen::VectorXd& c : view.model->dictionary)
-    wireframes.push_back(WireframeFromCoefficients(*view.model, c));
+  if (view.memory) AddMemoryHypotheses(view, variants, hypotheses);
   for (const double azimuth : CandidateAzimuths(view, options)) {
     for (const Eigen::Matrix3d& R : Rotations(view, azimuth, options)) {
-      for (size_t d = 0; d < wireframes.size(); ++d) {
-        if (seeds_from_lines) {
-          AddLineSeeds(view, azimuth, R, wireframes[d], view.model->dictionary[d], box_options, options,
-                       hypotheses);
-        }
-        for (const BoxSides& sides : variants) {
-          const Eigen::Vector3d T = options.printed_translation
-                                        ? PrintedTranslation(view, wireframes[d], R)
-                                        : TranslationFromBox(view, sides, wireframes[d], R);
-          for (const double factor : depth_factors) {
-            Hypothesis hypothesis{{Eigen::Isometry3d::Identity(), view.model->dictionary[d]}, sides, azimuth};
-            hypothesis.start.T_camera_object.linear() = R;
-            hypothesis.start.T_camera_object.translation() = factor * T;
-            hypotheses.push_back(std::move(hypothesis));
-          }
-        }
+      for (size_t d = 0; d < dictionary.size(); ++d) {
+        const Turned turned{static_cast<int>(d), view.model->dictionary[d], dictionary[d], azimuth, R};
+        AddBoxHypotheses(view, turned, variants, options, hypotheses);
+        if (seeds_from_lines) AddLineHypotheses(view, turned, box_options, options, hypotheses);
       }
     }
-  }
-  if (view.memory) {
-    const PoseAndShape& expected = view.memory->expected;
-    const Eigen::Isometry3d& T = expected.T_camera_object;
-    const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
-    for (const BoxSides& sides : variants) hypotheses.push_back({expected, sides, azimuth});
   }
   return hypotheses;
 }

@@ -26,8 +26,9 @@ struct HypothesisOptions {
 
 struct Hypothesis {
   PoseAndShape start;
-  BoxSides sides{};    // which sides of the box it takes to be seen
-  double azimuth = 0;  // radians
+  int dictionary_index = -1;  // of its shape, -1: the remembered one
+  BoxSides sides{};           // which sides of the box it takes to be seen
+  double azimuth = 0;         // radians
 };
 
 // Azimuths (radians) to try: around the prior, all round without one, and where horizontal segments say.
@@ -40,7 +41,9 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
 std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
                                                  int max_peaks);
 
-std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const BoxOptions& box_options,
-                                       const HypothesisOptions& options);
+// What is remembered first, then the most likely: near the prior's azimuth. `dictionary`: the wireframes of
+// the model's dictionary.
+std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const std::vector<Wireframe>& dictionary,
+                                       const BoxOptions& box_options, const HypothesisOptions& options);
 
 }  // namespace armature

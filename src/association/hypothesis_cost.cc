@@ -66,24 +66,29 @@ double ShapeCost(const PoseAndShape& at, const CostOptions& options) {
   return options.shape_weight * at.coefficients.squaredNorm();
 }
 
-double FloorCost(const ObjectView& view, const PoseAndShape& estimate) {
+double FloorCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object,
+                 const Wireframe& wireframe) {
   if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return 0;
-  const Wireframe wireframe = WireframeFromCoefficients(*view.model, estimate.coefficients);
-  const Eigen::RowVector3d up = view.up_camera->transpose() * estimate.T_camera_object.linear();
-  const double lowest = (up * wireframe.midpoints - (up * wireframe.directions).cwiseAbs() / 2).minCoeff() +
-                        view.up_camera->dot(estimate.T_camera_object.translation());
+  const Eigen::RowVector3d up = view.up_camera->transpose() * T_camera_object.linear();
+  double lowest = 1e9;
+  for (int e = 0; e < wireframe.edges(); ++e) {
+    lowest = std::min(lowest,
+                      up.dot(wireframe.midpoints.col(e)) - std::abs(up.dot(wireframe.directions.col(e))) / 2);
+  }
+  lowest += view.up_camera->dot(T_camera_object.translation());
   return GemanMcClure((lowest + view.floor->camera_height) / view.floor->sigma, 3);
 }
 
 }  // namespace
 
-double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
-                 const ProjectedWireframe& projected, const BoxOptions& box_options,
+double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wireframe& wireframe,
+                 const BoxSides& sides, const ProjectedWireframe& projected, const BoxOptions& box_options,
                  const CostOptions& options) {
   return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
          (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
-         options.floor_weight * FloorCost(view, estimate) + HiddenCost(view, sides);
+         options.floor_weight * FloorCost(view, estimate.T_camera_object, wireframe) +
+         HiddenCost(view, sides);
 }
 
 double LineCost(const ObjectView& view, const ProjectedWireframe& projected, double covered_length,

@@ -24,9 +24,10 @@ struct CostOptions {
   double yaw_memory_cap = 6;       // the remembered viewpoint priors cost at most this
 };
 
-// Everything but the lines. `projected` is clipped to the hypothesis's ClipBox.
-double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const BoxSides& sides,
-                 const ProjectedWireframe& projected, const BoxOptions& box_options,
+// Everything but the lines. `wireframe` is the estimate's, `projected` its edges clipped to the hypothesis's
+// ClipBox; their visibility is not needed.
+double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wireframe& wireframe,
+                 const BoxSides& sides, const ProjectedWireframe& projected, const BoxOptions& box_options,
                  const CostOptions& options);
 
 // What the lines say, from the explained length in pixels.

@@ -136,22 +136,35 @@ std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& sp
   return faces;
 }
 
-void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
-                      const Eigen::Isometry3d& T_camera_object, const Box& clip,
-                      const std::vector<ImageFace>& occluders, ProjectedWireframe& out) {
+void ProjectEdges(const Camera& camera, const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object,
+                  const Box& clip, ProjectedWireframe& out) {
+  const Eigen::Matrix3d R = T_camera_object.linear();
+  const Eigen::Vector3d T = T_camera_object.translation();
   out.edges.clear();
   out.nearest_z = 1e9;
   for (int i = 0; i < wireframe.edges(); ++i) {
-    const Eigen::Vector3d end1 = T_camera_object * wireframe.End(i, 0),
-                          end2 = T_camera_object * wireframe.End(i, 1);
+    const Eigen::Vector3d end1 = R * wireframe.End(i, 0) + T, end2 = R * wireframe.End(i, 1) + T;
     out.nearest_z = std::min({out.nearest_z, end1.z(), end2.z()});
     out.edges.push_back(ProjectEdge(camera, end1, end2, clip));
   }
+}
+
+void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                         const Eigen::Isometry3d& T_camera_object, const std::vector<ImageFace>& occluders,
+                         ProjectedWireframe& out) {
   out.faces = ProjectFaces(camera, spec, wireframe, T_camera_object);
-  for (int i = 0; i < wireframe.edges(); ++i) {
-    ProjectedEdge& edge = out.edges[static_cast<size_t>(i)];
-    if (edge.length > 0) edge.visible_share = VisibleShare(edge, i, spec, out.faces, occluders);
+  for (size_t i = 0; i < out.edges.size(); ++i) {
+    ProjectedEdge& edge = out.edges[i];
+    if (edge.length > 0)
+      edge.visible_share = VisibleShare(edge, static_cast<int>(i), spec, out.faces, occluders);
   }
+}
+
+void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                      const Eigen::Isometry3d& T_camera_object, const Box& clip,
+                      const std::vector<ImageFace>& occluders, ProjectedWireframe& out) {
+  ProjectEdges(camera, wireframe, T_camera_object, clip, out);
+  DetermineVisibility(camera, spec, wireframe, T_camera_object, occluders, out);
 }
 
 }  // namespace armature

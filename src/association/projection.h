@@ -47,8 +47,17 @@ ImageFace ProjectFace(const Camera& camera, const Eigen::Matrix3Xd& corners_came
 std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec,
                                     const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object);
 
-// Projects, clips to `clip` (at least the image; smaller where the object is known to be cut or hidden beyond
-// a line) and determines which parts are hidden by the object's own faces and by `occluders`.
+// Projects and clips to `clip` (at least the image; smaller where the object is known to be cut or hidden
+// beyond a line). Every edge's visible share is left at 0.
+void ProjectEdges(const Camera& camera, const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object,
+                  const Box& clip, ProjectedWireframe& out);
+
+// Then determines which parts are hidden by the object's own faces and by `occluders`: most of the work.
+void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                         const Eigen::Isometry3d& T_camera_object, const std::vector<ImageFace>& occluders,
+                         ProjectedWireframe& out);
+
+// Both.
 void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                       const Eigen::Isometry3d& T_camera_object, const Box& clip,
                       const std::vector<ImageFace>& occluders, ProjectedWireframe& out);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
@@ -38,31 +39,49 @@ struct Candidate {
   bool finite = true;
 };
 
-double CoverageCost(const ObjectView& view, const Hypothesis& hypothesis, const PoseAndShape& at,
-                    const MatchGate& gate, const AssociationOptions& options, ProjectedWireframe& scratch) {
-  Project(view, at, hypothesis.sides, scratch);
-  return PriorCost(view, at, hypothesis.sides, scratch, options.box, options.coverage) +
-         LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
+double PrintedCost(const ObjectView& view, const PoseAndShape& at, const Wireframe& wireframe,
+                   const AssociationOptions& options, ProjectedWireframe& scratch) {
+  const Box everywhere{-1e6, -1e6, 2e6, 2e6};
+  ProjectEdges(*view.camera, wireframe, at.T_camera_object, everywhere, scratch);
+  return AssociateAsPrinted(scratch, view.segments, options.printed).cost;
 }
 
-double PrintedCost(const ObjectView& view, const PoseAndShape& at, const AssociationOptions& options,
-                   ProjectedWireframe& scratch) {
-  const Box everywhere{-1e6, -1e6, 2e6, 2e6};
-  ProjectWireframe(*view.camera, view.model->spec, WireframeFromCoefficients(*view.model, at.coefficients),
-                   at.T_camera_object, everywhere, {}, scratch);
-  return AssociateAsPrinted(scratch, view.segments, options.printed).cost;
+// None where even perfectly matched lines would leave the cost above the bound.
+std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hypothesis,
+                                   const Wireframe& wireframe, const MatchGate& gate, double bound,
+                                   const AssociationOptions& options, ProjectedWireframe& scratch) {
+  const Eigen::Isometry3d& T = hypothesis.start.T_camera_object;
+  ProjectEdges(*view.camera, wireframe, T, ClipBox(view.detection.box, hypothesis.sides, *view.camera),
+               scratch);
+  const double prior =
+      PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
+  if (prior > bound) return std::nullopt;
+  DetermineVisibility(*view.camera, view.model->spec, wireframe, T, view.occluders, scratch);
+  return prior + LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
 }
 
 // Algorithm 1: the cost of every hypothesis, the best first.
 std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& options) {
+  std::vector<Wireframe> dictionary;
+  for (const Eigen::VectorXd& c : view.model->dictionary)
+    dictionary.push_back(WireframeFromCoefficients(*view.model, c));
+  const Wireframe remembered =
+      view.memory ? WireframeFromCoefficients(*view.model, view.memory->expected.coefficients) : Wireframe{};
   const MatchGate gate = GateOfRound(view, options, 0);
   ProjectedWireframe scratch;
   std::vector<Candidate> candidates;
-  for (Hypothesis& hypothesis : MakeHypotheses(view, options.box, options.hypotheses)) {
+  double best = 1e9;
+  for (Hypothesis& hypothesis : MakeHypotheses(view, dictionary, options.box, options.hypotheses)) {
+    const int index = hypothesis.dictionary_index;
+    const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
+    const std::optional<double> cost =
+        options.cost == "printed"
+            ? PrintedCost(view, hypothesis.start, wireframe, options, scratch)
+            : CoverageCost(view, hypothesis, wireframe, gate, best + options.prune_margin, options, scratch);
+    if (!cost) continue;
+    best = std::min(best, *cost);
     Candidate candidate;
-    candidate.cost = options.cost == "printed"
-                         ? PrintedCost(view, hypothesis.start, options, scratch)
-                         : CoverageCost(view, hypothesis, hypothesis.start, gate, options, scratch);
+    candidate.cost = *cost;
     candidate.estimate = hypothesis.start;
     candidate.hypothesis = std::move(hypothesis);
     candidates.push_back(std::move(candidate));
@@ -121,15 +140,16 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
   }
   const StageClock clock(times.association_ms);
   Project(view, candidate.estimate, sides, projected);
-  const MatchGate gate = GateOfRound(view, options, 1);
-  Matching matching = MatchSegments(projected, view.segments, gate);
+  const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
   if (options.cost == "printed") {
-    candidate.cost = PrintedCost(view, candidate.estimate, options, projected);
+    candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }
+  Matching matching = MatchSegments(projected, view.segments, GateOfRound(view, options, 1));
   candidate.matches = std::move(matching.matches);
-  candidate.cost = PriorCost(view, candidate.estimate, sides, projected, options.box, options.coverage) +
-                   LineCost(view, projected, matching.covered_length, options.coverage);
+  candidate.cost =
+      PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +
+      LineCost(view, projected, matching.covered_length, options.coverage);
 }
 
 EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,

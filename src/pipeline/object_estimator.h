@@ -16,8 +16,10 @@ struct AssociationOptions {
   HypothesisOptions hypotheses;
   BoxOptions box;
   int refined_hypotheses = 8;  // the best, diverse ones that go on to resection
-  int rounds = 4;              // of association and resection each, at most
-  double search_gate = 0.04;   // share of the box's diagonal: distance gate of the search and the first round
+  double prune_margin =
+      3;           // a hypothesis whose cost without lines is this much above the best is not looked at
+  int rounds = 4;  // of association and resection each, at most
+  double search_gate = 0.04;  // share of the box's diagonal: distance gate of the search and the first round
   double final_gate_pixels = 4;     // distance gate of the last round and of the reported matches
   double search_angle_deg = 10;     // degrees: angle gate of the search
   double final_angle_deg = 6;       // degrees

@@ -146,6 +146,8 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
                      "of a side that another box goes on beyond", 0, 0.99));
   t.push_back(Option("association.refined_hypotheses", &o.refined_hypotheses,
                      "best hypotheses that go on to resection", 1, 1000));
+  t.push_back(Option("association.prune_margin", &o.prune_margin,
+                     "hypotheses this much above the best without counting lines are not looked at", 0, 1e6));
   t.push_back(Option("association.rounds", &o.rounds, "of association and resection each", 1, 100));
   t.push_back(Option("association.search_gate", &o.search_gate,
                      "distance gate of the search, share of the box's diagonal", 0.001, 1));
