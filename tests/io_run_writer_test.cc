@@ -71,10 +71,10 @@ class RunWriterTest : public ::testing::Test {
 TEST_F(RunWriterTest, WritesObservations) {
   WriteRun(folder_ / "run");
   EXPECT_EQ(ReadFile(folder_ / "run/observations.csv"),
-            "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape\n"
+            "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n"
             "0.200000,0,ok,,0.125000,1,0.500000,-0.250000,2.000000,"
-            "0.000000000,-0.983985947,0.000000000,0.178246056,1.500000;0.000000\n"
-            "0.200000,1,too_few_edges,,,0,,,,,,,,\n");
+            "0.000000000,-0.983985947,0.000000000,0.178246056,1.500000;0.000000,0\n"
+            "0.200000,1,too_few_edges,,,0,,,,,,,,,\n");
 }
 
 TEST_F(RunWriterTest, WritesAssociationsByEdgeName) {

@@ -39,6 +39,30 @@ TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
   }
 }
 
+TEST(ObjectEstimator, ASymmetricTableIsNeverAmbiguousAndAFewLinesOfAChairAre) {
+  EstimatorTimes times;
+  const SyntheticView table("table", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
+  EXPECT_FALSE(EstimateObject(table.view, {}, {}, times).estimate.ambiguous);
+  // A laptop's lid is at its rear: all lines seen, it cannot be turned round.
+  const SyntheticView laptop("laptop", 0.6, {0.1, 0.2, 1.0}, Eigen::Vector2d::Zero());
+  EXPECT_FALSE(EstimateObject(laptop.view, {}, {}, times).estimate.ambiguous);
+  SyntheticView chair("chair", 0.0, {0.0, 0.2, 2.5}, Eigen::Vector2d::Zero());
+  chair.view.segments.resize(2);
+  EXPECT_TRUE(EstimateObject(chair.view, {}, {}, times).estimate.ambiguous);
+}
+
+TEST(UpEstimator, FindsALookDownWithoutAnyViewpoint) {
+  const Camera camera{640, 480, 500, 500, 320, 240, {}};
+  const Eigen::Vector3d up = Eigen::Vector3d(0.03, -0.85, -0.5).normalized();
+  std::vector<Segment> segments;
+  for (int i = 0; i < 14; ++i) {
+    const Eigen::Vector3d foot(-1.4 + 0.2 * i, 0.9 - 0.3 * (i % 2), 2.5 + 0.4 * (i % 3));
+    segments.push_back({camera.Project(foot), camera.Project(foot + 0.7 * up)});
+  }
+  UpEstimator estimator(UpOptions{});
+  EXPECT_LT(AngleDeg(estimator.Update(camera, segments, {}, std::nullopt).up_camera, up), 1);
+}
+
 TEST(ObjectEstimator, NoSegmentsAreTooFewEdges) {
   SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
   synthetic.view.segments.clear();

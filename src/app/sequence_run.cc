@@ -49,6 +49,19 @@ void WriteOverlay(const std::filesystem::path& folder, size_t index, const cv::M
   WritePicture(folder / "overlays" / fmt::format("{:06}.jpg", index), overlay);
 }
 
+// Until there is a map, the trajectory is the odometry in metres: its own, or scaled as the objects tell.
+void WriteTrajectories(const Sequence& sequence, const FramePipeline& pipeline, RunWriter& writer) {
+  std::vector<TimedPose> scaled = sequence.odometry;
+  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().value_or(1);
+  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale()) {
+    fmt::print(stderr,
+               "armature: {}: the objects do not tell the odometry's scale; trajectory.txt keeps its unit\n",
+               sequence.name);
+  }
+  for (TimedPose& pose : scaled) pose.pose.translation() *= scale;
+  writer.WriteTrajectories(scaled, scaled);
+}
+
 size_t FrameCount(const Sequence& sequence, int limit) {
   if (limit <= 0) return sequence.images.size();
   return std::min(sequence.images.size(), static_cast<size_t>(limit));
@@ -81,6 +94,7 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
       progress.Step();
     }
   }
+  WriteTrajectories(sequence, pipeline, writer);
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
                  .preset = settings.preset});

@@ -114,8 +114,9 @@ std::string Label(const ObjectObservation& observation) {
   }
   const Eigen::Vector3d centre = estimate.T_camera_object.translation();
   const double azimuth = ViewpointFromRotation(estimate.T_camera_object.linear(), centre).azimuth;
-  return fmt::format("{} {:.0f} deg {:.2f} m {}", observation.detection.category,
-                     azimuth * 180 / std::numbers::pi, centre.norm(), StatusName(estimate.status));
+  return fmt::format("{} {:.0f} deg{} {:.2f} m {}", observation.detection.category,
+                     azimuth * 180 / std::numbers::pi, estimate.ambiguous ? "?" : "", centre.norm(),
+                     StatusName(estimate.status));
 }
 
 void DrawObservation(const ObjectObservation& observation, const CategoryModel* model, const Camera& camera,

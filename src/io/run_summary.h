@@ -32,9 +32,9 @@ struct RunCounts {
 
 // What the caller knows about the run.
 struct RunSummary {
-  std::string sequence;         // its name
+  std::string sequence;           // its name
   std::string sequence_folder{};  // absolute, empty: not known
-  std::string preset;           // configuration that the run started from
+  std::string preset;             // configuration that the run started from
   int threads = 1;
 };
 

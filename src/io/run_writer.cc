@@ -60,7 +60,7 @@ RunWriter::RunWriter(const std::filesystem::path& folder, std::vector<CategoryMo
       observations_(File("observations.csv")),
       associations_(File("associations.csv")),
       timings_(File("timings.csv")) {
-  observations_ << "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape\n";
+  observations_ << "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n";
   associations_ << "timestamp,index,edge,segment_x1,segment_y1,segment_x2,segment_y2,cost\n";
   timings_
       << "timestamp,objects,segments,load_ms,lines_ms,association_ms,optimization_ms,mapping_ms,total_ms\n";
@@ -96,10 +96,10 @@ void RunWriter::WriteObservation(double timestamp, size_t index, const ObjectObs
   const bool has_pose = estimate.status == EstimateStatus::kOk;
   const std::string object;  // no map yet
   observations_ << fmt::format(
-      "{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index, StatusName(estimate.status), object,
+      "{},{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index, StatusName(estimate.status), object,
       estimate.matches.empty() ? "" : Fixed(estimate.cost, 6), EdgesMatched(estimate.matches),
       has_pose ? PoseFields(estimate.T_camera_object) : ",,,,,,",
-      has_pose ? ShapeField(estimate.coefficients) : "");
+      has_pose ? ShapeField(estimate.coefficients) : "", has_pose ? (estimate.ambiguous ? "1" : "0") : "");
 }
 
 void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation) {

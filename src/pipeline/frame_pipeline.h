@@ -34,7 +34,8 @@ class FramePipeline {
   // categories.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
 
-  const std::vector<CategoryModel>& categories() const { return categories_; }
+  // Metres per unit of odometry as the objects seen so far tell; none before they do.
+  std::optional<double> OdometryScale() const { return tracks_.Scale(); }
 
  private:
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);

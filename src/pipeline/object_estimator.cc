@@ -154,7 +154,9 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
 
 EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
                      const AssociationOptions& options) {
-  if (!candidate.finite || candidate.estimate.coefficients.norm() > 10) return EstimateStatus::kDiverged;
+  if (!candidate.finite || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
+    return EstimateStatus::kDiverged;
+  }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
   if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
@@ -163,6 +165,21 @@ EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const P
                  extremes[3].pixel - extremes[1].pixel};
   const double covered = Intersection(seen, view.detection.box).area() / std::max(seen.area(), 1.0);
   return covered < 0.5 ? EstimateStatus::kOffTheBox : EstimateStatus::kOk;
+}
+
+// Whether the lines and the box would have it turned round as well: front and back of many chairs are told
+// apart by the priors of turn alone.
+bool IsAmbiguous(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
+                 const ResectionOptions& resection, EstimatorTimes& times) {
+  if (view.model->spec.symmetry_order > 1) return false;
+  ObjectView without_priors = view;
+  without_priors.memory.reset();
+  without_priors.detection.azimuth.reset();
+  Candidate as_is = best, turned = best;
+  turned.estimate.T_camera_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
+  Refine(without_priors, association, resection, as_is, times);
+  Refine(without_priors, association, resection, turned, times);
+  return turned.finite && turned.cost <= as_is.cost + association.ambiguity_margin;
 }
 
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
@@ -203,10 +220,11 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   const auto best = std::min_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
+  ObjectEstimation result;
+  result.estimate.ambiguous = IsAmbiguous(view, *best, association, resection, times);
   const StageClock clock(times.optimization_ms);
   ProjectedWireframe projected;
   Project(view, best->estimate, best->hypothesis.sides, projected);
-  ObjectEstimation result;
   result.measured = Measure(view, *best, association, resection);
   result.initial = best->hypothesis.start;
   result.estimate.T_camera_object = best->estimate.T_camera_object;

@@ -27,7 +27,10 @@ struct AssociationOptions {
   double diverse_depth = 0.1;       // this share in depth are the same; only the better is refined
   int max_segments = 80;            // the longest in the box
   int min_edges = 2;                // matched edges, fewer are too few
-  bool occlusion = true;            // objects already found in the image hide those behind them
+  double ambiguity_margin =
+      1.0;  // half a turn that costs no more than this above the winner, but for the priors of turn
+  double max_shape_sigmas = 3;  // a shape with a coefficient beyond this is not believed
+  bool occlusion = true;        // objects already found in the image hide those behind them
 };
 
 struct EstimatorTimes {

@@ -164,6 +164,10 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.max_segments", &o.max_segments, "longest segments of a box that are used",
                      3, 100000));
   t.push_back(Option("association.min_edges", &o.min_edges, "matched edges, fewer are too few", 1, 100));
+  t.push_back(Option("association.ambiguity_margin", &o.ambiguity_margin,
+                     "half a turn costing no more than this above the winner is marked ambiguous", 0, 1e6));
+  t.push_back(Option("association.max_shape_sigmas", &o.max_shape_sigmas,
+                     "a shape with a coefficient beyond this is not believed", 0.1, 100));
   t.push_back(Option("association.occlusion", &o.occlusion, "objects already found hide those behind them"));
 }
 

@@ -64,6 +64,48 @@ Eigen::Vector3d UpEstimator::RoughUp() const {
   return up;
 }
 
+// The direction that most segments' planes share near `start`: smallest eigenvector of sum w n n^T with
+// weights that narrow from round to round, and what the votes say.
+UpEstimator::Refined UpEstimator::Refine(const Eigen::Vector3d& start, double cone,
+                                         const Eigen::Vector3d& rough, double rough_sigma) const {
+  const double segment_sigma = options_.segment_sigma_deg * kDegree;
+  // Neighbouring frames see the same lines: each counts for a fraction.
+  const double share = 1.0 / static_cast<double>(std::min<size_t>(window_.size(), 15));
+  Refined refined{start, Eigen::Matrix3d::Zero(), 0};
+  for (int iteration = 0; iteration < 8; ++iteration, cone = std::max(0.6 * cone, 2.5 * segment_sigma)) {
+    refined.information = DirectionInformation(rough, rough_sigma);
+    refined.support = 0;
+    for (const FrameEvidence& frame : window_) {
+      for (size_t i = 0; i < frame.plane_normals.size(); ++i) {
+        const Eigen::Vector3d& n = frame.plane_normals[i];
+        const double off = std::asin(std::clamp(n.dot(refined.up), -1.0, 1.0));
+        if (std::abs(off) > cone) continue;
+        const double bisquare = 1 - off * off / (cone * cone);
+        const double weight = share * frame.weights[i] * bisquare * bisquare;
+        refined.support += weight;
+        refined.information += weight / (segment_sigma * segment_sigma) * n * n.transpose();
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(refined.information);
+    refined.up = solver.eigenvectors().col(0);
+    if (refined.up.dot(rough) < 0) refined.up = -refined.up;
+  }
+  return refined;
+}
+
+// Where no detection has a viewpoint, the level camera is all that is roughly known, and people look down at
+// furniture: several pitches are tried, and the one whose verticals are most wins.
+UpEstimator::Refined UpEstimator::RefineFromPitches(const Eigen::Vector3d& rough, double rough_sigma) const {
+  const Eigen::Vector3d right = window_.back().R_odom_camera.col(0);
+  Refined best{rough, Eigen::Matrix3d::Zero(), -1};
+  for (const double pitch_deg : {0.0, 12.0, 24.0, 36.0, 48.0, -12.0}) {
+    const Eigen::Vector3d start = Eigen::AngleAxisd(pitch_deg * kDegree, right) * rough;
+    const Refined refined = Refine(start, 10 * kDegree, rough, rough_sigma);
+    if (refined.support > best.support) best = refined;
+  }
+  return best;
+}
+
 UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>& segments,
                                const std::vector<UpVote>& votes,
                                const std::optional<Eigen::Isometry3d>& T_odom_camera) {
@@ -76,36 +118,20 @@ UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>&
 
   const Eigen::Vector3d rough = RoughUp();
   double vote_information = 0;
+  bool has_viewpoints = false;
   for (const FrameEvidence& frame : window_) {
+    has_viewpoints = has_viewpoints || frame.votes.size() > 1;
     for (const UpVote& vote : frame.votes) vote_information += 1 / (vote.sigma * vote.sigma);
   }
-  // The rough direction's own uncertainty; correlated errors keep it from falling below a degree.
-  const double rough_sigma = std::max(1 * kDegree, 1 / std::sqrt(vote_information));
-  Eigen::Vector3d up = rough;
-  Eigen::Matrix3d information;
-  double cone = std::min(options_.cone_deg * kDegree, 3 * rough_sigma + 2 * kDegree);
-  const double segment_sigma = options_.segment_sigma_deg * kDegree;
-  for (int iteration = 0; iteration < 8; ++iteration, cone = std::max(0.6 * cone, 2.5 * segment_sigma)) {
-    // Smallest eigenvector of sum w n n^T: the direction that the planes have in common.
-    information = DirectionInformation(rough, rough_sigma);
-    for (const FrameEvidence& frame : window_) {
-      for (size_t i = 0; i < frame.plane_normals.size(); ++i) {
-        const Eigen::Vector3d& n = frame.plane_normals[i];
-        const double off = std::asin(std::clamp(n.dot(up), -1.0, 1.0));
-        if (std::abs(off) > cone) continue;
-        const double bisquare = 1 - off * off / (cone * cone);
-        // Neighbouring frames see the same lines: each counts for a fraction.
-        const double share = 1.0 / static_cast<double>(std::min<size_t>(window_.size(), 15));
-        information += share * frame.weights[i] * bisquare * bisquare / (segment_sigma * segment_sigma) * n *
-                       n.transpose();
-      }
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(information);
-    up = solver.eigenvectors().col(0);
-    if (up.dot(rough) < 0) up = -up;
-  }
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information).eigenvalues()(1);
-  return {R_odom_camera.transpose() * up, 1 / std::sqrt(std::max(least, 1.0))};
+  // The rough direction's own uncertainty; correlated errors keep it from falling below a degree. Level
+  // cameras are assumed again and again: many such frames are worth one.
+  const double rough_sigma = has_viewpoints ? std::max(1 * kDegree, 1 / std::sqrt(vote_information))
+                                            : options_.level_sigma_deg * kDegree;
+  const double cone = std::min(options_.cone_deg * kDegree, 3 * rough_sigma + 2 * kDegree);
+  const Refined refined =
+      has_viewpoints ? Refine(rough, cone, rough, rough_sigma) : RefineFromPitches(rough, rough_sigma);
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(refined.information).eigenvalues()(1);
+  return {R_odom_camera.transpose() * refined.up, 1 / std::sqrt(std::max(least, 1.0))};
 }
 
 }  // namespace armature

@@ -64,7 +64,15 @@ class UpEstimator {
   };
   FrameEvidence Observe(const Camera& camera, const std::vector<Segment>& segments,
                         const Eigen::Matrix3d& R_odom_camera) const;
+  struct Refined {
+    Eigen::Vector3d up;           // unit, frame of the odometry
+    Eigen::Matrix3d information;  // cost of a direction u: u^T information u
+    double support = 0;           // segments that agree, weighted
+  };
   Eigen::Vector3d RoughUp() const;
+  Refined Refine(const Eigen::Vector3d& start, double cone, const Eigen::Vector3d& rough,
+                 double rough_sigma) const;
+  Refined RefineFromPitches(const Eigen::Vector3d& rough, double rough_sigma) const;
 
   UpOptions options_;
   std::deque<FrameEvidence> window_;
