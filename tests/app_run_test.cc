@@ -24,8 +24,8 @@ using testing::TempFolder;
 using testing::WriteTinySequence;
 using Files = std::set<std::string>;
 
-const Files kRunFiles = {"associations.csv", "config.yaml", "observations.csv", "summary.json",
-                         "timings.csv"};
+const Files kRunFiles = {"associations.csv", "config.yaml", "observations.csv", "odometry_scaled.txt",
+                         "summary.json",     "timings.csv", "trajectory.txt"};
 
 struct Errors {
   std::vector<double> azimuth_deg, translation_percent;
@@ -99,7 +99,7 @@ TEST(AppRun, SameInputGivesTheSameBytes) {
   RunOk({"run", sequence, "--out", folder / "a"});
   RunOk({"run", sequence, "--out", folder / "b"});
   RunOk({"run", sequence, "--out", folder / "b"});  // a finished run may be replaced
-  for (const std::string file : {"observations.csv", "associations.csv", "config.yaml"}) {
+  for (const std::string file : {"observations.csv", "associations.csv", "config.yaml", "trajectory.txt"}) {
     EXPECT_EQ(ReadFile(folder / "a" / file), ReadFile(folder / "b" / file)) << file;
   }
 }
