@@ -141,10 +141,8 @@ void ProjectEdges(const Camera& camera, const Wireframe& wireframe, const Eigen:
   const Eigen::Matrix3d R = T_camera_object.linear();
   const Eigen::Vector3d T = T_camera_object.translation();
   out.edges.clear();
-  out.nearest_z = 1e9;
   for (int i = 0; i < wireframe.edges(); ++i) {
     const Eigen::Vector3d end1 = R * wireframe.End(i, 0) + T, end2 = R * wireframe.End(i, 1) + T;
-    out.nearest_z = std::min({out.nearest_z, end1.z(), end2.z()});
     out.edges.push_back(ProjectEdge(camera, end1, end2, clip));
   }
 }

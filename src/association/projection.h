@@ -34,7 +34,6 @@ struct ProjectedEdge {
 struct ProjectedWireframe {
   std::vector<ProjectedEdge> edges;  // one an edge of the category
   std::vector<ImageFace> faces;      // of the object itself
-  double nearest_z = 0;              // metres, of all ends
 
   double VisibleLength() const;  // pixels, all edges
 };

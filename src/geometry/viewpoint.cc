@@ -48,10 +48,6 @@ Eigen::Matrix3d UprightRotation(double azimuth, const Eigen::Vector3d& up_camera
   return R * AboutAxis(-azimuth, Eigen::Vector3d::UnitY());
 }
 
-Eigen::Matrix3d MadeUpright(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& up_camera) {
-  return SmallestRotation(R_camera_object.col(1), up_camera) * R_camera_object;
-}
-
 double AzimuthDifference(double a, double b, int symmetry_order) {
   return WrapAngle((a - b) * symmetry_order) / symmetry_order;
 }

@@ -29,9 +29,6 @@ Viewpoint ViewpointFromRotation(const Eigen::Matrix3d& R_camera_object, const Ei
 // camera frame) and is seen from the azimuth along the ray.
 Eigen::Matrix3d UprightRotation(double azimuth, const Eigen::Vector3d& up_camera, const Eigen::Vector3d& ray);
 
-// Turns the rotation by the smallest angle that makes the object's y axis point along `up_camera`.
-Eigen::Matrix3d MadeUpright(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& up_camera);
-
 // The difference a - b of two azimuths, in [-pi/n, pi/n) for an object that looks the same after each n-th of
 // a turn.
 double AzimuthDifference(double a, double b, int symmetry_order);
