@@ -43,7 +43,7 @@ ResectionProblem ProblemOf(const SyntheticView& synthetic) {
   problem.line_terms.push_back({PointOnEdge(synthetic.model, 7, -0.4), line, 0.1, 3, true});
   problem.line_terms.push_back({PointOnEdge(synthetic.model, 7, -0.4), -line, 0.1, 3, true});
   problem.plane_terms.push_back(
-      {PointOnEdge(synthetic.model, 8, 0.5), *synthetic.view.up_camera, 1.2, 10, 3});
+      {PointOnEdge(synthetic.model, 6, 0.5), *synthetic.view.up_camera, 1.2, 10, 3});
   return problem;
 }
 
