@@ -61,58 +61,85 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
     const StageClock clock(result.times.lines);
     result.segments = DetectSegments(*detector_, gray, camera_, BoxesOf(input.detections), options_.lines);
   }
-  UpEstimate up;
-  {
+  std::vector<ObjectView> views;
+  std::vector<int> tracks;
+  {  // what is known before an object is looked at
     const StageClock clock(result.times.mapping);
-    up = UpOf(input, result.segments);
+    const UpEstimate up = UpOf(input, result.segments);
     result.up_camera = up.up_camera;
     result.up_sigma = up.sigma;
     result.floor = floor_.Predict(input.timestamp, ClimbSinceLastFrame(input, up));
+    views = ViewsOf(input, result);
+    tracks = Recall(input, views);
   }
-  std::vector<ObjectView> views;
-  for (const Detection& detection : input.detections) views.push_back(ViewOf(detection, result.segments, up));
-  MarkHiddenSides(views);
-  const bool remembers = options_.tracks.enabled && input.T_odom_camera;
-  std::vector<int> tracks(views.size(), -1);
-  if (remembers) {
-    const StageClock clock(result.times.mapping);
-    tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
-    for (size_t i = 0; i < views.size(); ++i)
-      views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, up.up_camera);
-  }
-  result.observations.resize(views.size());
-  std::vector<ObjectEstimation> estimations(views.size());
-  std::vector<ImageFace> occluders;
-  for (const size_t i : LargestFirst(input.detections)) {
-    EstimatorTimes times;
-    views[i].occluders = occluders;
-    views[i].floor = result.floor;
-    ObjectEstimation& estimation = estimations[i];
-    estimation = EstimateObject(views[i], options_.association, options_.resection, times);
-    result.observations[i] = {input.detections[i], estimation.initial.T_camera_object,
-                              estimation.initial.coefficients, estimation.estimate};
-    result.times.association += times.association_ms;
-    result.times.optimization += times.optimization_ms;
-    if (options_.association.occlusion && estimation.estimate.status == EstimateStatus::kOk) {
-      const CategoryModel& model = *views[i].model;
-      const Wireframe wireframe = WireframeFromCoefficients(model, estimation.estimate.coefficients);
-      for (ImageFace& face :
-           ProjectFaces(camera_, model.spec, wireframe, estimation.estimate.T_camera_object)) {
-        occluders.push_back(std::move(face));
-      }
-    }
+  const std::vector<ObjectEstimation> estimations = EstimateObjects(input, views, result.times);
+  for (size_t i = 0; i < views.size(); ++i) {
+    result.observations.push_back({input.detections[i], estimations[i].initial.T_camera_object,
+                                   estimations[i].initial.coefficients, estimations[i].estimate});
   }
   const StageClock clock(result.times.mapping);
   LearnUp(result, estimations);
+  LearnObjects(input, views, tracks, estimations);
+  return result;
+}
+
+std::vector<ObjectView> FramePipeline::ViewsOf(const FrameInput& input, const FrameResult& frame) const {
+  std::vector<ObjectView> views;
+  for (const Detection& detection : input.detections) {
+    views.push_back(ViewOf(detection, frame.segments, frame.up_camera));
+    views.back().floor = frame.floor;
+  }
+  MarkHiddenSides(views);
+  return views;
+}
+
+bool FramePipeline::Remembers(const FrameInput& input) const {
+  return options_.tracks.enabled && input.T_odom_camera;
+}
+
+std::vector<int> FramePipeline::Recall(const FrameInput& input, std::vector<ObjectView>& views) const {
+  if (!Remembers(input)) return std::vector<int>(views.size(), -1);
+  std::vector<int> tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
+  for (size_t i = 0; i < views.size(); ++i) {
+    views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, *views[i].up_camera);
+  }
+  return tracks;
+}
+
+std::vector<ObjectEstimation> FramePipeline::EstimateObjects(const FrameInput& input,
+                                                             std::vector<ObjectView>& views,
+                                                             StageTimes& times) const {
+  std::vector<ObjectEstimation> estimations(views.size());
+  std::vector<ImageFace> occluders;
+  for (const size_t i : LargestFirst(input.detections)) {
+    EstimatorTimes spent;
+    views[i].occluders = occluders;
+    estimations[i] = EstimateObject(views[i], options_.association, options_.resection, spent);
+    times.association += spent.association_ms;
+    times.optimization += spent.optimization_ms;
+    const ObjectEstimate& estimate = estimations[i].estimate;
+    if (!options_.association.occlusion || estimate.status != EstimateStatus::kOk) continue;
+    const CategoryModel& model = *views[i].model;
+    const Wireframe wireframe = WireframeFromCoefficients(model, estimate.coefficients);
+    for (ImageFace& face : ProjectFaces(camera_, model.spec, wireframe, estimate.T_camera_object)) {
+      occluders.push_back(std::move(face));
+    }
+  }
+  return estimations;
+}
+
+void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+                                 const std::vector<int>& tracks,
+                                 const std::vector<ObjectEstimation>& estimations) {
   for (size_t i = 0; i < views.size(); ++i) {
     const ObjectEstimate& estimate = estimations[i].estimate;
-    if (estimate.status != EstimateStatus::kOk || MatchedEdges(estimate.matches) < options_.tracks.min_edges)
-      continue;
-    floor_.Learn(estimations[i], *views[i].model, up.up_camera);
-    if (remembers) tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
+    if (estimate.status != EstimateStatus::kOk) continue;
+    if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
+    floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
+    if (!Remembers(input)) continue;
+    tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
   }
-  if (remembers) tracks_.Update(input.timestamp);
-  return result;
+  if (Remembers(input)) tracks_.Update(input.timestamp);
 }
 
 void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
@@ -168,7 +195,7 @@ void FramePipeline::LearnUp(const FrameResult& result, const std::vector<ObjectE
 }
 
 ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                                 const UpEstimate& up) const {
+                                 const Eigen::Vector3d& up_camera) const {
   ObjectView view;
   view.camera = &camera_;
   view.model = &ModelOf(detection);
@@ -179,7 +206,7 @@ ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<S
   const double margin = options_.lines.box_margin * std::max(box.width, box.height);
   view.segments = SegmentsInBox(segments, box.Grown(margin), options_.lines.min_length,
                                 options_.association.max_segments);
-  view.up_camera = up.up_camera;
+  view.up_camera = up_camera;
   return view;
 }
 

@@ -42,8 +42,17 @@ class FramePipeline {
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
   void LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations);
+  std::vector<ObjectView> ViewsOf(const FrameInput& input, const FrameResult& frame) const;
   ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                    const UpEstimate& up) const;
+                    const Eigen::Vector3d& up_camera) const;
+  bool Remembers(const FrameInput& input) const;
+  // The track of each view, -1: none; gives the views what their tracks remember.
+  std::vector<int> Recall(const FrameInput& input, std::vector<ObjectView>& views) const;
+  // Large furniture first: what is found hides what is behind it.
+  std::vector<ObjectEstimation> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
+                                                StageTimes& times) const;
+  void LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+                    const std::vector<int>& tracks, const std::vector<ObjectEstimation>& estimations);
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 
