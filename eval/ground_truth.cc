@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eval/csv_pose.h"
 #include "io/csv.h"
 #include "io/errors.h"
 
@@ -20,11 +21,7 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   std::vector<TrueObject> objects;
   for (const CsvRow& row : table.rows()) {
     TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
-    const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
-    if (std::abs(q.norm() - 1) > 1e-3)
-      throw InputError(row.At("the quaternion has not unit length; normalise it"));
-    object.T_world_object.linear() = q.normalized().toRotationMatrix();
-    object.T_world_object.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
+    object.T_world_object = ReadPose(row);
     object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
     objects.push_back(std::move(object));
   }
