@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "eval/csv_pose.h"
 #include "io/csv.h"
 #include "io/errors.h"
+#include "io/text.h"
 
 namespace armature {
 namespace {
@@ -28,12 +30,22 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   return objects;
 }
 
+// The file's first line that is a comment, without the mark.
+std::string FirstComment(const std::filesystem::path& file) {
+  std::istringstream stream(ReadTextFile(file));
+  for (std::string line; std::getline(stream, line);) {
+    if (Trimmed(line).starts_with("#")) return Trimmed(Trimmed(line).substr(1));
+  }
+  return "";
+}
+
 }  // namespace
 
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   GroundTruth truth;
   truth.T_world_camera = ReadTumTrajectory(sequence / "groundtruth.txt");
   truth.objects = ReadObjects(sequence / "objects_gt.csv");
+  truth.objects_source = FirstComment(sequence / "objects_gt.csv");
   const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});
   for (const CsvRow& row : table.rows()) {
     const auto object = std::find_if(truth.objects.begin(), truth.objects.end(),

@@ -48,7 +48,8 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
   const CsvTable table(file, columns);
   for (const CsvRow& row : table.rows()) {
     RunObservation observation{
-        row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPoseIfAny(row), {}};
+        row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPoseIfAny(row), {}, ""};
+    if (table.HasColumn("object")) observation.object = row.Text("object");
     const Key key = KeyOf(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));
