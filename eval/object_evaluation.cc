@@ -6,7 +6,7 @@
 #include <set>
 
 #include "eval/observation_metrics.h"
-#include "eval/oriented_box.h"
+#include "geometry/oriented_box.h"
 #include "eval/true_scene.h"
 #include "eval/visible_edges.h"
 

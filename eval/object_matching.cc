@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "eval/hungarian.h"
+#include "geometry/assignment.h"
 
 namespace armature {
 namespace {

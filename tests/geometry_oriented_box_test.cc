@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "eval/oriented_box.h"
+#include "geometry/oriented_box.h"
 #include "geometry/rotation.h"
 
 namespace armature {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/oriented_box.h"
+#include "geometry/oriented_box.h"
 
 #include <algorithm>
 #include <cmath>

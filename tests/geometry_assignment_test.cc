@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "eval/hungarian.h"
+#include "geometry/assignment.h"
 
 namespace armature {
 namespace {

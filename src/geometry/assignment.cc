@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/hungarian.h"
+#include "geometry/assignment.h"
 
 #include <algorithm>
 #include <stdexcept>
