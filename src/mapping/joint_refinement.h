@@ -16,9 +16,10 @@
 namespace armature {
 
 struct RefinementOptions {
-  int rounds = 4;                // 0: none
+  int rounds = 8;                // 0: none
   double first_gate_pixels = 8;  // distance gate of the first round's matches
   double last_gate_pixels = 4;   // and of the last's
+  double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first
   double gate_angle_deg = 6;     // degrees
   int min_edges = 2;             // matched edges, fewer say nothing
   FactorNoise noise{.measurement_scale = 3,

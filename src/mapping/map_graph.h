@@ -53,6 +53,7 @@ struct MapGraph {
   std::vector<OdometryFactor> odometry;
   std::vector<ObjectFactor> observations;
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
+  double expected_log_scale = 0;  // before the map
   bool scale_is_known = false;    // the odometry is metric: log_scale is held
   Eigen::Vector3d up_world{0, -1, 0};  // unit
   double up_sigma = 0.05;              // radians, of up_world as given

@@ -67,6 +67,7 @@ MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, cons
   const double seconds = frames.back().timestamp - start;
   const int knots = 2 + static_cast<int>(seconds / options.knot_seconds);
   graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
+  graph.expected_log_scale = std::log(scale);
   for (size_t i = 0; i < frames.size(); ++i) {
     Eigen::Isometry3d pose = frames[i].T_odom_camera;
     pose.translation() *= scale;

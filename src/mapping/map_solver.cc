@@ -47,8 +47,10 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
     if (graph.scale_is_known) problem.SetParameterBlockConstant(&value);
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
-    const Eigen::Matrix<double, 1, 1> weight(1 / options.scale_sigma), mean(graph.log_scale[k]);
-    if (k == 0) problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
+    // Together, the knots' priors weigh as one.
+    const double sigma = options.scale_sigma * std::sqrt(static_cast<double>(blocks.log_scale.size()));
+    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(graph.expected_log_scale);
+    problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
     if (k > 0) {
       problem.AddResidualBlock(new RandomWalkCost(options.scale_drift_sigma), nullptr,
                                &blocks.log_scale[k - 1], &blocks.log_scale[k]);

@@ -83,13 +83,19 @@ Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const Bo
     SolveWithScaleHeld(graph, options.solver);
     report(fmt::format("join {} {} turn {:.2f} {}", join->kept, join->joined, join->turn, join->flipped), graph, {});
   }
+  double final_cost = 0;
   for (int round = 0; round < options.refinement.rounds; ++round) {
     phi = AssociateDetections(graph, frames, phi, seconds_between, options.association);
-    Relinearise(frames, phi, GateOfRound(options.refinement, round), box, resection, options.refinement, graph);
+      ResectionOptions of_round = resection;
+    const double progress = options.refinement.rounds > 1 ? round / (options.refinement.rounds - 1.0) : 1.0;
+    of_round.box_loss_scale = options.refinement.first_box_loss_scale * std::pow(resection.box_loss_scale / options.refinement.first_box_loss_scale, progress);
+    Relinearise(frames, phi, GateOfRound(options.refinement, round), box, of_round, options.refinement, graph);
     report("relinearise", graph, {});
-    report("refine", graph, SolveMapGraph(graph, options.solver));
+    final_cost = SolveMapGraph(graph, options.solver).final_cost;
   }
-  return ToMap(frames, graph, phi, options.min_observations);
+  Map map = ToMap(frames, graph, phi, options.min_observations);
+  map.final_cost = final_cost;
+  return map;
 }
 
 }  // namespace armature

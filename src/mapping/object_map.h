@@ -39,6 +39,7 @@ struct Map {
   std::vector<Eigen::Isometry3d> T_world_camera_odometry;  // the odometry alone, times the mean scale
   std::vector<MapObject> objects;
   ObjectOfObservation phi;        // indices into `objects`
+  double final_cost = 0;
   std::vector<double> log_scale;  // of metres a unit of odometry, at the knots
 };
 

@@ -225,6 +225,7 @@ void AddMappingOptions(MappingOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("mapping.refinement.rounds", &o.refinement.rounds, "of matching all frames' lines anew; 0: none", 0, 100));
   t.push_back(Option("mapping.refinement.first_gate_pixels", &o.refinement.first_gate_pixels, "distance gate of the first round", 0.1, 100));
   t.push_back(Option("mapping.refinement.last_gate_pixels", &o.refinement.last_gate_pixels, "distance gate of the last round", 0.1, 100));
+  t.push_back(Option("mapping.refinement.first_box_loss_scale", &o.refinement.first_box_loss_scale, "of the box in the first round, standard deviations", 0.1, 1000));
   t.push_back(Option("mapping.refinement.gate_angle_deg", &o.refinement.gate_angle_deg, "angle gate, degrees", 0.1, 90));
   t.push_back(Option("mapping.refinement.min_edges", &o.refinement.min_edges, "matched edges, fewer say nothing", 1, 100));
   AddNoiseOptions("mapping.refinement.noise", o.refinement.noise, t);
