@@ -52,8 +52,8 @@ void WriteOverlay(const std::filesystem::path& folder, size_t index, const cv::M
 // Until there is a map, the trajectory is the odometry in metres: its own, or scaled as the objects tell.
 void WriteTrajectories(const Sequence& sequence, const FramePipeline& pipeline, RunWriter& writer) {
   std::vector<TimedPose> scaled = sequence.odometry;
-  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().value_or(1);
-  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale()) {
+  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().scale;
+  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale().IsKnown()) {
     fmt::print(stderr,
                "armature: {}: the objects do not tell the odometry's scale; trajectory.txt keeps its unit\n",
                sequence.name);

@@ -16,15 +16,15 @@
 namespace armature {
 
 struct RefinementOptions {
-  int rounds = 8;                // 0: none
-  double first_gate_pixels = 8;  // distance gate of the first round's matches
+  int rounds = 10;               // 0: none
+  double first_gate_pixels = 24;  // distance gate of the first round's matches
   double last_gate_pixels = 4;   // and of the last's
   double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first
   double gate_angle_deg = 6;     // degrees
   int min_edges = 2;             // matched edges, fewer say nothing
-  FactorNoise noise{.measurement_scale = 3,
-                    .depth_sigma = 0.01,
-                    .lateral_sigma = 0.01,
+  FactorNoise noise{.measurement_scale = 2.5,
+                    .depth_sigma = 0.005,
+                    .lateral_sigma = 0.005,
                     .rotation_sigma_deg = 1,
                     .shape_sigma = 0.2};
 };

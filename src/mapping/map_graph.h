@@ -22,6 +22,14 @@
 
 namespace armature {
 
+// The odometry's scale before the map is solved. What is Gaussian is its logarithm.
+struct ScaleEstimate {
+  double scale = 1;  // metres a unit of odometry
+  double sigma = 3;  // standard deviation of its logarithm
+
+  bool IsKnown() const { return sigma < 0.1; }
+};
+
 struct GraphObject {
   const CategoryModel* model = nullptr;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
@@ -53,8 +61,8 @@ struct MapGraph {
   std::vector<OdometryFactor> odometry;
   std::vector<ObjectFactor> observations;
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
-  double expected_log_scale = 0;  // before the map
-  bool scale_is_known = false;    // the odometry is metric: log_scale is held
+  ScaleEstimate expected_scale;
+  bool scale_is_held = false;  // log_scale stays as it is
   Eigen::Vector3d up_world{0, -1, 0};  // unit
   double up_sigma = 0.05;              // radians, of up_world as given
 };

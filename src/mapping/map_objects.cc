@@ -61,13 +61,14 @@ double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T
   return std::atan2(R_a_b(0, 2), R_a_b(2, 2));
 }
 
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, const OdometryOptions& options) {
+MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const OdometryOptions& options) {
   MapGraph graph;
+  graph.expected_scale = expected_scale;
+  const double scale = expected_scale.scale;
   const double start = frames.front().timestamp;
   const double seconds = frames.back().timestamp - start;
   const int knots = 2 + static_cast<int>(seconds / options.knot_seconds);
   graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
-  graph.expected_log_scale = std::log(scale);
   for (size_t i = 0; i < frames.size(); ++i) {
     Eigen::Isometry3d pose = frames[i].T_odom_camera;
     pose.translation() *= scale;

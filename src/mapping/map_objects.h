@@ -9,15 +9,15 @@
 namespace armature {
 
 struct OdometryOptions {
-  double rotation_sigma_deg = 0.1;    // degrees, of each step
-  double translation_sigma = 0.03;    // share of the step's length
+  double rotation_sigma_deg = 0.2;    // degrees, of each step
+  double translation_sigma = 0.015;   // share of the step's length
   double translation_floor = 0.001;   // metres, added to it
   double knot_seconds = 2;            // between the knots of the scale
   double up_sigma_deg = 1;            // degrees: least standard deviation of up
 };
 
-// Cameras, odometry factors, scale and up; no objects. `scale`: metres a unit of odometry.
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, const OdometryOptions& options);
+// Cameras, odometry factors, scale and up; no objects.
+MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const OdometryOptions& options);
 
 // The front end's tracks, broken where they were not seen for longer than `recent_seconds`, numbered from 0 in
 // the order of their first observation. Pieces of fewer than `min_observations` are left out (-1).

@@ -4,6 +4,7 @@
 #include <ceres/ceres.h>
 #include <ceres/normal_prior.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -44,12 +45,12 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
   problem.SetParameterBlockConstant(blocks.cameras.front().data());
   for (double& value : blocks.log_scale) {
     problem.AddParameterBlock(&value, 1);
-    if (graph.scale_is_known) problem.SetParameterBlockConstant(&value);
+    if (graph.scale_is_held) problem.SetParameterBlockConstant(&value);
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
     // Together, the knots' priors weigh as one.
-    const double sigma = options.scale_sigma * std::sqrt(static_cast<double>(blocks.log_scale.size()));
-    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(graph.expected_log_scale);
+    const double sigma = std::max(graph.expected_scale.sigma, options.min_scale_sigma) * std::sqrt(static_cast<double>(blocks.log_scale.size()));
+    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(std::log(graph.expected_scale.scale));
     problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
     if (k > 0) {
       problem.AddResidualBlock(new RandomWalkCost(options.scale_drift_sigma), nullptr,

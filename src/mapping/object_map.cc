@@ -22,9 +22,9 @@ double GateOfRound(const RefinementOptions& options, int round) {
 // Bearings that disagree would rather have the camera travel less: while single views with their errors of
 // depth are all there is, the scale stays as the front end learnt it.
 void SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options) {
-  const bool known = std::exchange(graph.scale_is_known, true);
+  const bool held = std::exchange(graph.scale_is_held, true);
   SolveMapGraph(graph, options);
-  graph.scale_is_known = known;
+  graph.scale_is_held = held;
 }
 
 Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const ObjectOfObservation& phi, int min_observations) {
@@ -61,7 +61,7 @@ Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const Obje
 
 }  // namespace
 
-Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const BoxOptions& box,
+Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
   using Clock = std::chrono::steady_clock;
   auto t0 = Clock::now();
@@ -73,7 +73,7 @@ Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const Bo
     t0 = Clock::now();
   };
   const std::optional<double> seconds_between = options.loop_closure ? std::nullopt : std::optional(options.recent_seconds);
-  MapGraph graph = GraphOfOdometry(frames, initial_scale, options.odometry);
+  MapGraph graph = GraphOfOdometry(frames, expected_scale, options.odometry);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
   AddObjects(frames, phi, options.view_noise, graph);
   SolveWithScaleHeld(graph, options.solver);
@@ -85,10 +85,16 @@ Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const Bo
   }
   double final_cost = 0;
   for (int round = 0; round < options.refinement.rounds; ++round) {
+    ObjectAssociationOptions only_overlap = options.association;
+    only_overlap.gate = 0;
+    while (const std::optional<Join> join = FindJoin(graph, frames, seconds_between, only_overlap)) {
+      Apply(*join, graph, phi);
+    }
     phi = AssociateDetections(graph, frames, phi, seconds_between, options.association);
       ResectionOptions of_round = resection;
     const double progress = options.refinement.rounds > 1 ? round / (options.refinement.rounds - 1.0) : 1.0;
     of_round.box_loss_scale = options.refinement.first_box_loss_scale * std::pow(resection.box_loss_scale / options.refinement.first_box_loss_scale, progress);
+    of_round.segment_sigma *= GateOfRound(options.refinement, round) / options.refinement.last_gate_pixels;
     Relinearise(frames, phi, GateOfRound(options.refinement, round), box, of_round, options.refinement, graph);
     report("relinearise", graph, {});
     final_cost = SolveMapGraph(graph, options.solver).final_cost;

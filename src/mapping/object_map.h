@@ -43,9 +43,8 @@ struct Map {
   std::vector<double> log_scale;  // of metres a unit of odometry, at the knots
 };
 
-// The map of all frames, from scratch. `initial_scale`: metres a unit of odometry, as the front end has learnt
-// it. At least one frame.
-Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const BoxOptions& box,
+// The map of all frames, from scratch; at least one. `expected_scale`: as the front end has learnt it.
+Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options);
 
 }  // namespace armature

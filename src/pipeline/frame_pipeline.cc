@@ -156,7 +156,7 @@ void FramePipeline::LearnObjects(const FrameInput& input, const FrameResult& res
 
 std::optional<Map> FramePipeline::SolveMap(const MappingOptions& o) const {
   if (map_frames_.empty()) return std::nullopt;
-  return armature::SolveMap(map_frames_, tracks_.Scale().value_or(1), options_.association.box, options_.resection, o);
+  return armature::SolveMap(map_frames_, tracks_.Scale(), options_.association.box, options_.resection, o);
 }
 
 void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
@@ -172,10 +172,10 @@ void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
 
 std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
   const std::optional<Eigen::Isometry3d> last = std::exchange(last_T_odom_camera_, input.T_odom_camera);
-  const std::optional<double> scale = tracks_.Scale();
-  if (!last || !input.T_odom_camera || !scale) return std::nullopt;
+  const ScaleEstimate scale = tracks_.Scale();
+  if (!last || !input.T_odom_camera || !scale.IsKnown()) return std::nullopt;
   const Eigen::Vector3d up_odom = input.T_odom_camera->linear() * up.up_camera;
-  return *scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
+  return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
 
 UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {

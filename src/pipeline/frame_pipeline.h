@@ -34,8 +34,8 @@ class FramePipeline {
   // categories.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
 
-  // Metres per unit of odometry as the objects seen so far tell; none before they do.
-  std::optional<double> OdometryScale() const { return tracks_.Scale(); }
+  // Of the odometry, as the objects seen so far tell.
+  ScaleEstimate OdometryScale() const { return tracks_.Scale(); }
 
   // The map of all frames so far; none without odometry.
   std::optional<Map> SolveMap(const MappingOptions& o) const;

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "association/object_view.h"
+#include "mapping/map_graph.h"
 #include "pipeline/object_estimator.h"
 
 namespace armature {
@@ -63,8 +64,8 @@ class ObjectTracks {
   int Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
              const Eigen::Isometry3d& T_odom_camera);
 
-  // Metres per unit of odometry as the objects tell, once its standard deviation is below a tenth of it.
-  std::optional<double> Scale() const;
+  // Metres per unit of odometry as the objects tell.
+  ScaleEstimate Scale() const;
 
   // Solves for positions, turns, shapes and scale; forgets what was not seen for long.
   void Update(double timestamp);

@@ -220,7 +220,7 @@ void AddMappingOptions(MappingOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("mapping.shape_weight", &o.solver.shape_weight, "of the category's shape statistics", 0, 100));
   t.push_back(Option("mapping.upright_sigma_deg", &o.solver.upright_sigma_deg, "of objects about up, degrees; 0: none", 0, 90));
   t.push_back(Option("mapping.floor_sigma", &o.solver.floor_sigma, "of the floor below objects, metres; 0: none", 0, 10));
-  t.push_back(Option("mapping.scale_sigma", &o.solver.scale_sigma, "of the first scale's logarithm", 0.001, 10));
+  t.push_back(Option("mapping.min_scale_sigma", &o.solver.min_scale_sigma, "of the scale's logarithm: what the front end has learnt is never surer", 0.0001, 10));
   t.push_back(Option("mapping.scale_drift_sigma", &o.solver.scale_drift_sigma, "of the scale's logarithm from knot to knot", 0.00001, 10));
   t.push_back(Option("mapping.refinement.rounds", &o.refinement.rounds, "of matching all frames' lines anew; 0: none", 0, 100));
   t.push_back(Option("mapping.refinement.first_gate_pixels", &o.refinement.first_gate_pixels, "distance gate of the first round", 0.1, 100));
