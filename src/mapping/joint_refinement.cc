@@ -21,18 +21,22 @@ SeenObject SeenFrom(const Eigen::Isometry3d& T_world_camera, const GraphObject& 
           WireframeFromCoefficients(*object.model, object.coefficients)};
 }
 
-// What the other objects of the map hide, whether they were detected in the image or not.
-std::vector<ImageFace> FacesOfOthers(const MapGraph& graph, const std::vector<SeenObject>& seen, int object,
-                                     const Camera& camera) {
-  std::vector<ImageFace> faces;
-  for (size_t other = 0; other < seen.size(); ++other) {
-    if (static_cast<int>(other) == object) continue;
-    for (ImageFace& face : ProjectFaces(camera, graph.objects[other].model->spec, seen[other].wireframe,
-                                        seen[other].at.T_camera_object)) {
-      faces.push_back(std::move(face));
-    }
+// The faces of every object of the map, whether it was detected in the image or not.
+std::vector<std::vector<ImageFace>> FacesOf(const MapGraph& graph, const std::vector<SeenObject>& seen, const Camera& camera) {
+  std::vector<std::vector<ImageFace>> faces;
+  for (size_t o = 0; o < seen.size(); ++o) {
+    faces.push_back(ProjectFaces(camera, graph.objects[o].model->spec, seen[o].wireframe, seen[o].at.T_camera_object));
   }
   return faces;
+}
+
+// What hides one object: the faces of all others.
+std::vector<ImageFace> Occluders(const std::vector<std::vector<ImageFace>>& faces, size_t object) {
+  std::vector<ImageFace> others;
+  for (size_t o = 0; o < faces.size(); ++o) {
+    if (o != object) others.insert(others.end(), faces[o].begin(), faces[o].end());
+  }
+  return others;
 }
 
 // Which sides of the box the object can be taken to end at, given where the map has it: those that the image's border
@@ -56,7 +60,7 @@ std::optional<ObjectFactor> FactorOf(const MapObservation& observation, const Se
                                      const BoxOptions& box, const ResectionOptions& resection,
                                      const RefinementOptions& options) {
   const ObjectView& view = observation.view;
-  const BoxSides sides = getenv("OLDSIDES") ? observation.sides : SidesSeen(view, object, box);
+  const BoxSides sides = SidesSeen(view, object, box);
   ProjectedWireframe projected;
   ProjectWireframe(*view.camera, view.model->spec, object.wireframe, object.at.T_camera_object,
                    ClipBox(view.detection.box, sides, *view.camera), occluders, projected);
@@ -75,15 +79,15 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
   graph.observations.clear();
   const MatchGate gate{gate_pixels, options.gate_angle_deg * kDegree};
   for (size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].observations.empty()) continue;
     std::vector<SeenObject> seen;
     for (const GraphObject& object : graph.objects) seen.push_back(SeenFrom(graph.T_world_camera[i], object));
+    const auto faces = FacesOf(graph, seen, *frames[i].observations.front().view.camera);
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
       if (phi[i][j] < 0) continue;
-      const MapObservation& observation = frames[i].observations[j];
-      const std::vector<ImageFace> occluders =
-          FacesOfOthers(graph, seen, phi[i][j], *observation.view.camera);
+      const auto object = static_cast<size_t>(phi[i][j]);
       std::optional<ObjectFactor> factor =
-          FactorOf(observation, seen[static_cast<size_t>(phi[i][j])], occluders, gate, box, resection, options);
+          FactorOf(frames[i].observations[j], seen[object], Occluders(faces, object), gate, box, resection, options);
       if (!factor) continue;
       factor->camera = static_cast<int>(i);
       factor->object = phi[i][j];

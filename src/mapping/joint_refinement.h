@@ -17,6 +17,7 @@ namespace armature {
 
 struct RefinementOptions {
   int rounds = 10;               // 0: none
+  int iterations = 2;             // of the solver in each round
   double first_gate_pixels = 24;  // distance gate of the first round's matches
   double last_gate_pixels = 4;   // and of the last's
   double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first

@@ -14,22 +14,6 @@ using RowMajorMap = Eigen::Map<RowMajor>;
 using Matrix6by7 = Eigen::Map<Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>;
 using Matrix3by7 = Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>>;
 
-// The lowest end of an edge, as a function of the shape.
-ShapePoint LowestPoint(const GraphObject& object) {
-  const Wireframe wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
-  EdgeEnd lowest;
-  double lowest_y = 1e9;
-  for (int edge = 0; edge < wireframe.edges(); ++edge) {
-    for (int end = 0; end < 2; ++end) {
-      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
-        lowest_y = y;
-        lowest = {edge, end};
-      }
-    }
-  }
-  return PointOnEdge(*object.model, lowest.edge, lowest.end - 0.5);
-}
-
 }  // namespace
 
 PoseBlock ToBlock(const Eigen::Isometry3d& pose) {
@@ -154,6 +138,21 @@ bool UprightCost::Evaluate(double const* const* parameters, double* residuals, d
     Eigen::Map<Eigen::Matrix3d>{jacobians[1]} = -Eigen::Matrix3d::Identity() / sigma_;
   }
   return true;
+}
+
+ShapePoint LowestPoint(const GraphObject& object) {
+  const Wireframe wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
+  EdgeEnd lowest;
+  double lowest_y = 1e9;
+  for (int edge = 0; edge < wireframe.edges(); ++edge) {
+    for (int end = 0; end < 2; ++end) {
+      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
+        lowest_y = y;
+        lowest = {edge, end};
+      }
+    }
+  }
+  return PointOnEdge(*object.model, lowest.edge, lowest.end - 0.5);
 }
 
 FloorCost::FloorCost(const GraphObject& object, double sigma) : sigma_(sigma) {

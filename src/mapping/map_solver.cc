@@ -15,6 +15,18 @@
 namespace armature {
 namespace {
 
+// The mean height along up of what the objects stand on, metres.
+double FloorBelow(const MapGraph& graph) {
+  double sum = 0, count = 0;
+  for (const GraphObject& object : graph.objects) {
+    if (!object.model->spec.stands_on_floor) continue;
+    const ShapePoint lowest = LowestPoint(object);
+    sum += graph.up_world.dot(object.T_world_object * (lowest.X0 + lowest.G * object.coefficients));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 // The unknowns as Ceres sees them.
 struct Blocks {
   std::vector<PoseBlock> cameras, objects;
@@ -29,6 +41,7 @@ struct Blocks {
       objects.push_back(ToBlock(object.T_world_object));
       shapes.push_back(object.coefficients);
     }
+    floor = FloorBelow(graph);
   }
 };
 

@@ -97,7 +97,9 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
     of_round.segment_sigma *= GateOfRound(options.refinement, round) / options.refinement.last_gate_pixels;
     Relinearise(frames, phi, GateOfRound(options.refinement, round), box, of_round, options.refinement, graph);
     report("relinearise", graph, {});
-    final_cost = SolveMapGraph(graph, options.solver).final_cost;
+    MapSolverOptions step = options.solver;
+    step.max_iterations = options.refinement.iterations;
+    final_cost = SolveMapGraph(graph, step).final_cost;
   }
   Map map = ToMap(frames, graph, phi, options.min_observations);
   map.final_cost = final_cost;

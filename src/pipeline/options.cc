@@ -223,6 +223,7 @@ void AddMappingOptions(MappingOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("mapping.min_scale_sigma", &o.solver.min_scale_sigma, "of the scale's logarithm: what the front end has learnt is never surer", 0.0001, 10));
   t.push_back(Option("mapping.scale_drift_sigma", &o.solver.scale_drift_sigma, "of the scale's logarithm from knot to knot", 0.00001, 10));
   t.push_back(Option("mapping.refinement.rounds", &o.refinement.rounds, "of matching all frames' lines anew; 0: none", 0, 100));
+  t.push_back(Option("mapping.refinement.iterations", &o.refinement.iterations, "of the solver in each round", 1, 1000));
   t.push_back(Option("mapping.refinement.first_gate_pixels", &o.refinement.first_gate_pixels, "distance gate of the first round", 0.1, 100));
   t.push_back(Option("mapping.refinement.last_gate_pixels", &o.refinement.last_gate_pixels, "distance gate of the last round", 0.1, 100));
   t.push_back(Option("mapping.refinement.first_box_loss_scale", &o.refinement.first_box_loss_scale, "of the box in the first round, standard deviations", 0.1, 1000));
