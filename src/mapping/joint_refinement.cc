@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/joint_refinement.h"
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -9,6 +11,12 @@
 
 namespace armature {
 namespace {
+
+// From `first` in the first round to `last` in the last, geometrically.
+double Annealed(double first, double last, int round, const RefinementOptions& options) {
+  const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
+  return first * std::pow(last / first, progress);
+}
 
 // An object of the graph as one camera sees it.
 struct SeenObject {
@@ -22,10 +30,12 @@ SeenObject SeenFrom(const Eigen::Isometry3d& T_world_camera, const GraphObject& 
 }
 
 // The faces of every object of the map, whether it was detected in the image or not.
-std::vector<std::vector<ImageFace>> FacesOf(const MapGraph& graph, const std::vector<SeenObject>& seen, const Camera& camera) {
+std::vector<std::vector<ImageFace>> FacesOf(const MapGraph& graph, const std::vector<SeenObject>& seen,
+                                            const Camera& camera) {
   std::vector<std::vector<ImageFace>> faces;
   for (size_t o = 0; o < seen.size(); ++o) {
-    faces.push_back(ProjectFaces(camera, graph.objects[o].model->spec, seen[o].wireframe, seen[o].at.T_camera_object));
+    faces.push_back(
+        ProjectFaces(camera, graph.objects[o].model->spec, seen[o].wireframe, seen[o].at.T_camera_object));
   }
   return faces;
 }
@@ -39,18 +49,21 @@ std::vector<ImageFace> Occluders(const std::vector<std::vector<ImageFace>>& face
   return others;
 }
 
-// Which sides of the box the object can be taken to end at, given where the map has it: those that the image's border
-// does not cut and beyond which it does not go on.
+// Which sides of the box the object can be taken to end at, given where the map has it: those that the
+// image's border does not cut and beyond which it does not go on.
 BoxSides SidesSeen(const ObjectView& view, const SeenObject& object, const BoxOptions& options) {
   const Box& box = view.detection.box;
   BoxSides sides = SidesAtImageBorder(box, *view.camera, options.cut_tolerance);
   ProjectedWireframe projected;
-  ProjectEdges(*view.camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5}, projected);
+  ProjectEdges(*view.camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5},
+               projected);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   const auto [sigma_x, sigma_y] = SideSigmas(box, options);
-  const std::array<double, 4> beyond = {box.left() - extremes[0].pixel, box.top() - extremes[1].pixel, extremes[2].pixel - box.right(), extremes[3].pixel - box.bottom()};
+  const std::array<double, 4> beyond = {box.left() - extremes[0].pixel, box.top() - extremes[1].pixel,
+                                        extremes[2].pixel - box.right(), extremes[3].pixel - box.bottom()};
   for (size_t side = 0; side < 4; ++side) {
-    if (extremes[side].edge >= 0 && beyond[side] > 2 * (side % 2 == 0 ? sigma_x : sigma_y)) sides[side] = BoxSide::kOpen;
+    if (extremes[side].edge >= 0 && beyond[side] > 2 * (side % 2 == 0 ? sigma_x : sigma_y))
+      sides[side] = BoxSide::kOpen;
   }
   return sides;
 }
@@ -66,18 +79,21 @@ std::optional<ObjectFactor> FactorOf(const MapObservation& observation, const Se
                    ClipBox(view.detection.box, sides, *view.camera), occluders, projected);
   const std::vector<EdgeMatch> matches = MatchSegments(projected, view.segments, gate).matches;
   if (MatchedEdges(matches) < options.min_edges) return std::nullopt;
-  const ImageEvidence evidence =
-      EvidenceAt(view, sides, matches, projected, object.at, box, resection);
+  const ImageEvidence evidence = EvidenceAt(view, sides, matches, projected, object.at, box, resection);
   return MakeObjectFactor(evidence, object.at, 0, options.noise);
 }
 
 }  // namespace
 
-void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, double gate_pixels,
-                 const BoxOptions& box, const ResectionOptions& resection, const RefinementOptions& options,
+void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, int round,
+                 const BoxOptions& box, const ResectionOptions& given, const RefinementOptions& options,
                  MapGraph& graph) {
   graph.observations.clear();
-  const MatchGate gate{gate_pixels, options.gate_angle_deg * kDegree};
+  const double pixels = Annealed(options.first_gate_pixels, options.last_gate_pixels, round, options);
+  const MatchGate gate{pixels, options.gate_angle_deg * kDegree};
+  ResectionOptions resection = given;
+  resection.segment_sigma *= pixels / options.last_gate_pixels;
+  resection.box_loss_scale = Annealed(options.first_box_loss_scale, given.box_loss_scale, round, options);
   for (size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].observations.empty()) continue;
     std::vector<SeenObject> seen;
@@ -86,8 +102,8 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
       if (phi[i][j] < 0) continue;
       const auto object = static_cast<size_t>(phi[i][j]);
-      std::optional<ObjectFactor> factor =
-          FactorOf(frames[i].observations[j], seen[object], Occluders(faces, object), gate, box, resection, options);
+      std::optional<ObjectFactor> factor = FactorOf(frames[i].observations[j], seen[object],
+                                                    Occluders(faces, object), gate, box, resection, options);
       if (!factor) continue;
       factor->camera = static_cast<int>(i);
       factor->object = phi[i][j];

@@ -59,12 +59,11 @@ bool PoseManifold::MinusJacobian(const double*, double* jacobian) const {
 }
 
 // X_i Exp(d):  e changes by -J_r^-1(e) Ad((X_i^-1 X_j)^-1) d.   X_j Exp(d):  by J_r^-1(e) d.
-// Scale: M = Z^-1 X_i^-1 X_j = (R_M, R_Z^T (t - exp(s) t_Z)), so M's translation moves by -R_Z^T exp(s) t_Z ds;
-// as a step of M on its right that is R_M^T times it.
+// Scale: M = Z^-1 X_i^-1 X_j = (R_M, R_Z^T (t - exp(s) t_Z)), so M's translation moves by -R_Z^T exp(s) t_Z
+// ds; as a step of M on its right that is R_M^T times it.
 bool OdometryCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Isometry3d X_i = FromBlock(parameters[0]), X_j = FromBlock(parameters[1]);
-  const double scale =
-      std::exp((1 - factor_.share) * parameters[2][0] + factor_.share * parameters[3][0]);
+  const double scale = std::exp((1 - factor_.share) * parameters[2][0] + factor_.share * parameters[3][0]);
   Eigen::Isometry3d Z = factor_.T_from_to;
   Z.translation() *= scale;
   const Eigen::Isometry3d X_ij = X_i.inverse() * X_j;
@@ -106,8 +105,8 @@ bool ObjectCost::Evaluate(double const* const* parameters, double* residuals, do
   Eigen::Map<Eigen::VectorXd> r(residuals, rows);
   r = factor_.b;
   r.noalias() += factor_.A.leftCols<6>() * e;
-  r.noalias() += factor_.A.rightCols(modes) * (Eigen::Map<const Eigen::VectorXd>(parameters[2], modes) -
-                                               factor_.at.coefficients);
+  r.noalias() += factor_.A.rightCols(modes) *
+                 (Eigen::Map<const Eigen::VectorXd>(parameters[2], modes) - factor_.at.coefficients);
   if (!jacobians) return true;
   const Matrix6d step = RightJacobianInverseSE3(e);
   if (jacobians[0]) {
@@ -176,7 +175,8 @@ bool FloorCost::Evaluate(double const* const* parameters, double* residuals, dou
     Eigen::Map<Eigen::Matrix<double, 1, 7>> J(jacobians[0]);
     J << -up_object * Skew(point) / sigma_, up_object / sigma_, 0;
   }
-  if (jacobians[1]) Eigen::Map<Eigen::RowVectorXd>(jacobians[1], by_shape_.cols()) = up_object * by_shape_ / sigma_;
+  if (jacobians[1])
+    Eigen::Map<Eigen::RowVectorXd>(jacobians[1], by_shape_.cols()) = up_object * by_shape_ / sigma_;
   if (jacobians[2]) Eigen::Map<Eigen::Vector3d>{jacobians[2]} = point_world / sigma_;
   if (jacobians[3]) jacobians[3][0] = -1 / sigma_;
   return true;

@@ -39,9 +39,9 @@ struct GraphObject {
 // The odometry's step between two cameras: e = Log(Z_ij^-1 X_i^-1 X_j), X = T_world_camera, Z_ij its relative
 // pose with the translation times exp(s), s = (1 - share) s[knot] + share s[knot + 1].
 struct OdometryFactor {
-  int from = 0, to = 0;                                           // cameras
-  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();    // the odometry's unit
-  double rotation_sigma = 1, translation_sigma = 1;               // radians, metres
+  int from = 0, to = 0;                                         // cameras
+  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();  // the odometry's unit
+  double rotation_sigma = 1, translation_sigma = 1;             // radians, metres
   int knot = 0;
   double share = 0;
 };
@@ -62,7 +62,8 @@ struct MapGraph {
   std::vector<ObjectFactor> observations;
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
   ScaleEstimate expected_scale;
-  bool scale_is_held = false;  // log_scale stays as it is
+  bool scale_is_held = false;          // log_scale stays as it is
+  bool cameras_are_held = false;       // only objects move
   Eigen::Vector3d up_world{0, -1, 0};  // unit
   double up_sigma = 0.05;              // radians, of up_world as given
 };

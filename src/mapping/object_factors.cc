@@ -54,9 +54,8 @@ ObjectFactor MakeObjectFactor(const ImageEvidence& evidence, const PoseAndShape&
                               const FactorNoise& noise) {
   const Eigen::Index size = evidence.gradient.size();
   const double weight = 1 / (noise.measurement_scale * noise.measurement_scale);
-  Quadratic quadratic =
-      WithNoise({weight * evidence.information, weight * evidence.gradient},
-                NoiseCovariance(noise, at.T_camera_object.translation(), size));
+  Quadratic quadratic = WithNoise({weight * evidence.information, weight * evidence.gradient},
+                                  NoiseCovariance(noise, at.T_camera_object.translation(), size));
   ObjectFactor factor;
   factor.at = at;
   factor.at.T_camera_object.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()));

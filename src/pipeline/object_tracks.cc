@@ -143,7 +143,7 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
 }
 
 int ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
-                         const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
+                        const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
   if (index < 0) {
     tracks_.push_back(NewTrack(*view.model));
     tracks_.back().id = started_++;

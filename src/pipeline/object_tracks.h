@@ -59,10 +59,10 @@ class ObjectTracks {
   std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
                                      const Eigen::Vector3d& up_camera) const;
 
-  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no other
-  // track has or had.
+  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no
+  // other track has or had.
   int Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
-             const Eigen::Isometry3d& T_odom_camera);
+            const Eigen::Isometry3d& T_odom_camera);
 
   // Metres per unit of odometry as the objects tell.
   ScaleEstimate Scale() const;
@@ -100,7 +100,7 @@ class ObjectTracks {
 
   TrackOptions options_;
   std::vector<Track> tracks_;
-  int started_ = 0;  // tracks so far
+  int started_ = 0;   // tracks so far
   double units_ = 1;  // u: units of odometry a metre
   double log_units_ = 0;
   double units_information_ = 0.1;  // of log u
