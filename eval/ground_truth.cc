@@ -8,6 +8,7 @@
 
 #include "io/csv.h"
 #include "io/errors.h"
+#include "io/trajectory_formats.h"
 
 namespace armature {
 namespace {
@@ -33,9 +34,15 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence) {
+  TrajectoryReading reading{.repeated = RepeatedStamps::kKept};
+  if (std::filesystem::exists(sequence / "rgb.txt")) reading.stamps = ReadStamps(sequence / "rgb.txt");
+  return ReadTrajectory(sequence / "groundtruth.txt", reading);
+}
+
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   GroundTruth truth;
-  truth.T_world_camera = ReadTumTrajectory(sequence / "groundtruth.txt");
+  truth.T_world_camera = LoadTrueTrajectory(sequence);
   truth.objects = ReadObjects(sequence / "objects_gt.csv");
   const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});
   for (const CsvRow& row : table.rows()) {
