@@ -60,6 +60,7 @@ RelativeError Compare(const std::vector<PosePair>& pairs, size_t first, size_t s
 template <typename Error>
 std::optional<ErrorStatistics> StatisticsOfField(const std::vector<Error>& errors, double Error::*field) {
   std::vector<double> values;
+  values.reserve(errors.size());
   for (const Error& error : errors) values.push_back(error.*field);
   return StatisticsOf(values);
 }

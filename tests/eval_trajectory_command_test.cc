@@ -124,6 +124,12 @@ TEST(EvalTrajectories, OfARunWithoutOdometryAreEmpty) {
   EXPECT_EQ(row["scale"], nullptr);
 }
 
+TEST(EvalTrajectories, NeedNoOdometry) {
+  const Desk desk;
+  std::filesystem::remove(desk.folder / "run/odometry_scaled.txt");
+  EXPECT_EQ(desk.Tables({})[0]["rows"].size(), 2u);
+}
+
 TEST(EvalTrajectories, OfFilesInAnyFormat) {
   const TempFolder folder;
   const auto kitti = folder.Write("k.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 3 0 1 0 4 0 0 1 0\n");

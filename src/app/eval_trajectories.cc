@@ -71,13 +71,17 @@ std::vector<TimedPose> ReadRunTrajectory(const fs::path& file) {
 std::vector<NamedTrajectory> EvaluateRuns(const std::string& sequence, const std::vector<RunToEvaluate>& runs,
                                           const std::vector<TrajectoryOptions>& options) {
   std::vector<fs::path> folders;
+  folders.reserve(runs.size());
   for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
   const std::vector<std::string> names = RunNames(folders, sequence);
   const std::vector<TimedPose> truth = LoadTrueTrajectory(runs.front().truth);
   std::vector<NamedTrajectory> rows;
   for (size_t i = 0; i < runs.size(); ++i) {
     for (const std::string& trajectory : kTrajectories) {
-      const auto estimate = ReadRunTrajectory(folders[i] / (trajectory + ".txt"));
+      const fs::path file = folders[i] / (trajectory + ".txt");
+      if (trajectory != kTrajectories.front() && !fs::exists(file))
+        continue;  // not written by `armature run`
+      const auto estimate = ReadRunTrajectory(file);
       AddRows(names[i], trajectory, estimate, truth, options, rows);
     }
   }
@@ -109,6 +113,7 @@ std::vector<Table> Finished(const std::map<std::string, std::vector<NamedTraject
                             const TrajectoryArguments& arguments, TableFormat format) {
   WriteRaw(arguments.raw, by_sequence);
   std::vector<Table> tables;
+  tables.reserve(by_sequence.size());
   for (const auto& [sequence, rows] : by_sequence) {
     tables.push_back(TrajectoryTable(sequence, rows, DigitsOf(format)));
   }
