@@ -13,7 +13,8 @@ namespace armature {
 struct OdometryOptions {
   double tolerance = kStampTolerance;  // seconds: a pose this near to the image is the image's
   // Seconds between two neighbouring poses between which the camera may be interpolated. An acceleration of
-  // a m/s^2 takes it off the straight way by at most a T^2 / 8: 8 mm at 1 m/s^2.
+  // a m/s^2 takes it off the straight way by at most a T^2 / 8: 8 mm at 1 m/s^2. Measured on hand-held video,
+  // midway between poses 0.27 s apart: 5 mm and 0.4 degrees (median), 17 mm and 1.6 degrees (most).
   double max_gap = 0.25;
 };
 
