@@ -187,6 +187,7 @@ TEST(TrajectoryTable, SaysHowItWasAligned) {
 TEST(TrajectoryTable, ShowsDashesAndWarnings) {
   const auto unmatched = EvaluateTrajectory({At(50, {1, 2, 3})}, Curve(5), {});
   std::vector<TimedPose> still;
+  still.reserve(5);
   for (int i = 0; i < 5; ++i) still.push_back(At(0.1 * i, {1, 2, 3}, {0, 0.1 * i, 0}));
   const auto turning = EvaluateTrajectory(still, still, {.alignment = AlignmentKind::kSim3});
   const std::string text = FormatTable(

@@ -44,6 +44,7 @@ PosePair Moved(const Eigen::Isometry3d& truth, const Similarity& s, double times
 
 std::vector<PosePair> Moved(const std::vector<Eigen::Isometry3d>& truth, const Similarity& s) {
   std::vector<PosePair> pairs;
+  pairs.reserve(truth.size());
   for (const Eigen::Isometry3d& pose : truth) {
     pairs.push_back(Moved(pose, s, 0.1 * static_cast<double>(pairs.size())));
   }
@@ -172,6 +173,7 @@ TEST(Alignment, OfOnePairPutsThePoseOnTheTrueOne) {
 // turned.
 TEST(Alignment, OfTurningInPlaceFollowsTheCameras) {
   std::vector<Eigen::Isometry3d> truth;
+  truth.reserve(20);
   for (int i = 0; i < 20; ++i) truth.push_back(Pose({0, 0.3 * i, 0}, {4, 5, 6}));
   const auto pairs = Moved(truth, Known(1));
   for (const AlignmentKind kind : kAllKinds) {
@@ -184,6 +186,7 @@ TEST(Alignment, OfTurningInPlaceFollowsTheCameras) {
 
 TEST(Alignment, OfStraightMotionFollowsTheCamerasAboutTheLine) {
   std::vector<Eigen::Isometry3d> truth;
+  truth.reserve(20);
   for (int i = 0; i < 20; ++i) truth.push_back(Pose({0, 0.1 * i, 0}, Eigen::Vector3d(1, 2, -2) * 0.1 * i));
   const auto pairs = Moved(truth, Known(0.4));
   const Similarity s = Align(pairs, AlignmentKind::kSim3, 1);
