@@ -332,6 +332,8 @@ TEST_F(RunMaps, AMapWithoutObjects) {
   const RunObjects objects = EvaluateRunObjects(LoadRun(run), world_.sequence, world_.specs, {});
   ASSERT_EQ(objects.maps.size(), 2u);
   EXPECT_EQ(Summarise(objects.maps[1].by_distance, "").missed, 2);
+  world_.folder.Write("run/trajectory.txt", "# no odometry, no pose\n");
+  EXPECT_NO_THROW(EvaluateRunObjects(LoadRun(run), world_.sequence, world_.specs, {}));
 }
 
 TEST_F(RunMaps, ApproachesByConfiguration) {
