@@ -6,6 +6,7 @@
 
 #include "eval/run_objects.h"
 #include "support/expect_input_error.h"
+#include "support/shared_data.h"
 #include "support/true_map.h"
 
 namespace armature {
@@ -362,6 +363,19 @@ TEST_F(RunMaps, BadInput) {
   ExpectInputError(evaluate, {"trajectory.txt", "world"});
   std::filesystem::remove(run / "trajectory.txt");
   ExpectInputError(evaluate, {"trajectory.txt", "cannot be opened"});
+}
+
+// Real rooms, some of whose objects are in no detection.
+TEST(EvalObjects, SharedTruthsAsResultsArePerfect) {
+  for (const char* name : {"sequences/office_dev", "sequences/redkitchen_a"}) {
+    ARMATURE_SHARED_DATA_OR_SKIP(folder, name);
+    const GroundTruth truth = LoadGroundTruth(folder);
+    ExpectPerfect(Evaluate(TrueMap(truth), truth), 1e-9);
+    const ObjectSummary none = Summarise(Evaluate({}, truth), "");
+    EXPECT_LE(none.missed, none.objects);
+    EXPECT_GE(none.missed, 5);
+    EXPECT_FALSE(truth.objects_source.empty());
+  }
 }
 
 TEST(MapObjects, BadInput) {
