@@ -7,7 +7,6 @@
 #include "eval/trajectory_alignment.h"
 #include "geometry/rotation.h"
 #include "support/expect_input_error.h"
-#include "support/shared_data.h"
 
 namespace armature {
 namespace {
@@ -236,25 +235,6 @@ TEST(Pairing, StopsAtTheTolerance) {
   EXPECT_TRUE(PairPoses({At(1305031102.16)}, {At(1305031102.1701)}, 0.01).empty());
   EXPECT_TRUE(PairPoses({}, {At(0)}, 0.01).empty());
   EXPECT_TRUE(PairPoses({At(0)}, {}, 0.01).empty());
-}
-
-// Reference values of another implementation, see the shared data's README.
-TEST(AlignmentOnRealData, FindsTheReferenceScales) {
-  ARMATURE_SHARED_DATA_OR_SKIP(folder, "trajectories");
-  const struct {
-    const char *estimate, *truth;
-    size_t pairs;
-    double scale;
-  } references[] = {
-      {"freiburg1_xyz-rgbdslam.txt", "freiburg1_xyz-groundtruth.txt", 785, 1.0080013899313371},
-      {"freiburg1_xyz-ORB_kf_mono.txt", "freiburg1_xyz-groundtruth.txt", 32, 1.1056223637370342},
-      {"fr2_desk_ORB_kf_mono.txt", "fr2_desk_groundtruth.txt", 118, 2.2280217535893283}};
-  for (const auto& reference : references) {
-    const auto pairs = PairPoses(ReadTumTrajectory(folder / reference.estimate),
-                                 ReadTumTrajectory(folder / reference.truth, RepeatedStamps::kKept), 0.01);
-    EXPECT_EQ(pairs.size(), reference.pairs);
-    EXPECT_NEAR(Align(pairs, AlignmentKind::kSim3, 1).scale, reference.scale, 1e-9);
-  }
 }
 
 }  // namespace

@@ -32,6 +32,15 @@ Eigen::Matrix3d LeftJacobianSO3(const Eigen::Vector3d& w) {
          (angle - std::sin(angle)) / (angle2 * angle) * W * W;
 }
 
+Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& w) {
+  const double angle2 = w.squaredNorm(), half = 0.5 * std::sqrt(angle2);
+  const Eigen::Matrix3d W = Skew(w);
+  // (1 - (t/2) cot(t/2)) / t^2 loses digits towards 0, where its Taylor series takes over.
+  const double factor = half < 0.05 ? 1 / 12.0 + angle2 / 720 * (1 + angle2 / 42)
+                                    : (1 - half * std::cos(half) / std::sin(half)) / angle2;
+  return Eigen::Matrix3d::Identity() - 0.5 * W + factor * W * W;
+}
+
 Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }

@@ -20,6 +20,9 @@ Eigen::Vector3d LogSO3(const Eigen::Matrix3d& R);
 // J_l with ExpSO3(w + dw) = ExpSO3(J_l dw) ExpSO3(w) to first order.
 Eigen::Matrix3d LeftJacobianSO3(const Eigen::Vector3d& w);
 
+// Its inverse, |w| < 2 pi: LogSO3(ExpSO3(d) ExpSO3(w)) = w + J_l^-1 d to first order.
+Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& w);
+
 // The smallest rotation that takes the direction `from` to the direction `to`; neither needs unit length.
 Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
