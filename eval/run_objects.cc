@@ -37,8 +37,8 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
   const GroundTruth& truth = sequence.truth;
   EvaluatedMap evaluated;
   evaluated.by_odometry = by_odometry;
-  std::vector<MapObject> map =
-      ReadMapObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
+  std::vector<PlacedObject> map =
+      ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
   if (!map.empty()) {  // a run that placed nothing may have had no odometry
     evaluated.T_truth_run =
         AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
