@@ -25,7 +25,7 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   for (const CsvRow& row : table.rows()) {
     TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
     object.T_world_object = ReadPose(row);
-    object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
+    object.size = Eigen::Vector3d(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
     objects.push_back(std::move(object));
   }
   return objects;

@@ -75,16 +75,45 @@ void CheckTableNames(const std::vector<std::string>& names) {
   }
 }
 
+bool IsAsked(const std::string& table, const EvalArguments& arguments) {
+  return std::find(arguments.tables.begin(), arguments.tables.end(), table) != arguments.tables.end();
+}
+
 // The runs that a kind of tables is made of: all where the user asks for it, where the user does not choose
 // those that have what it needs.
 std::vector<RunToEvaluate> RunsFor(const std::string& table, const EvalArguments& arguments,
                                    const std::vector<RunToEvaluate>& runs,
                                    const std::function<bool(const RunToEvaluate&)>& has_needed) {
-  const auto& asked = arguments.tables;
-  if (std::find(asked.begin(), asked.end(), table) != asked.end()) return runs;
+  if (IsAsked(table, arguments)) return runs;
   std::vector<RunToEvaluate> chosen;
-  if (asked.empty()) std::copy_if(runs.begin(), runs.end(), std::back_inserter(chosen), has_needed);
+  if (arguments.tables.empty())
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(chosen), has_needed);
   return chosen;
+}
+
+// The kinds of tables of objects that the user asks for.
+std::vector<std::string> AskedObjectTables(const EvalArguments& arguments) {
+  std::vector<std::string> names;
+  std::copy_if(kObjectTableNames.begin(), kObjectTableNames.end(), std::back_inserter(names),
+               [&](const std::string& name) { return IsAsked(name, arguments); });
+  return names;
+}
+
+// Of all runs where the user asks for some of them; where the user does not choose, all kinds, of the runs
+// with the truth that they need.
+std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+  const std::vector<std::string> asked = AskedObjectTables(arguments);
+  if (asked.empty() && !arguments.tables.empty()) return {};
+  std::vector<RunToEvaluate> placed;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(placed), [&](const RunToEvaluate& run) {
+    return !asked.empty() || (run.HasTruth("objects_gt.csv") && run.HasTruth("groundtruth.txt"));
+  });
+  if (placed.empty()) return {};
+  ObjectArguments objects = arguments.objects;
+  objects.first_n = arguments.trajectories.first_n;
+  objects.tolerance = arguments.trajectories.tolerance;
+  return ObjectTablesOfRuns(placed, SpecsOf(LoadModels(arguments.configuration)),
+                            asked.empty() ? kObjectTableNames : asked, !asked.empty(), objects);
 }
 
 std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat format) {
@@ -100,6 +129,7 @@ std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat form
     return run.HasTruth("groundtruth.txt") && run.HasResult("trajectory.txt");
   });
   if (!moved.empty()) add(TrajectoryTablesOfRuns(moved, arguments.trajectories, format));
+  add(ObjectTables(arguments, runs));
   if (!tables.empty()) return tables;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "
@@ -154,6 +184,7 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   eval->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
   eval->add_flag("--json", a.json, "the same as --format json");
   AddTrajectoryArguments(*eval, a.trajectories);
+  AddObjectArguments(*eval, a.objects);
   AddCategoriesArguments(*eval, a.configuration);
   eval->callback([arguments, &exit_status] { exit_status = RunEval(*arguments); });
 }

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "app/configuration.h"
+#include "app/eval_objects.h"
 #include "app/eval_trajectories.h"
 
 namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
-inline const std::vector<std::string> kTableNames{"observations", "trajectory"};
+inline const std::vector<std::string> kTableNames{"observations", "trajectory", "objects",
+                                                  "each_object",  "normal",     "paper"};
 
 struct EvalArguments {
   std::vector<std::filesystem::path> runs;  // run folders or folders of such; or trajectory files alone
@@ -26,11 +28,12 @@ struct EvalArguments {
   std::string format = "text";
   bool json = false;
   TrajectoryArguments trajectories;
+  ObjectArguments objects;
   ConfigurationArguments configuration;  // its folder of category models
 };
 
-// Prints two tables of observations and one of trajectories a sequence. Returns the exit status; throws
-// InputError.
+// Prints two tables of observations, one of trajectories and three of objects a sequence, and one of objects
+// beside the paper's. Returns the exit status; throws InputError.
 int RunEval(const EvalArguments& arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.
