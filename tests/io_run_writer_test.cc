@@ -18,6 +18,14 @@ CategoryModel TwoEdges() {
   CategoryModel model;
   model.spec.name = "corner";
   model.spec.edge_names = {"left", "right"};
+  model.spec.padding = 0.05;
+  // Two edges of 1 m; the first mode makes both 0.1 m longer.
+  model.mean = Eigen::VectorXd::Zero(12);
+  model.mean << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0;
+  model.basis = Eigen::MatrixXd::Zero(12, 2);
+  model.basis(3, 0) = model.basis(10, 0) = std::sqrt(0.5);
+  model.basis(0, 1) = 1;
+  model.standard_deviations = Eigen::Vector2d(0.1 * std::sqrt(2.0), 0.1);
   return model;
 }
 
@@ -47,15 +55,31 @@ FrameResult SampleFrame() {
 class RunWriterTest : public ::testing::Test {
  protected:
   void WriteRun(const std::filesystem::path& run) const {
-    RunWriter writer(run, {TwoEdges()});
+    RunWriter writer(run, {model_});
     writer.WriteConfig("seed: 1\n");
-    writer.WriteTrajectories({TimedPose{.timestamp = 0.2}}, {TimedPose{.timestamp = 0.2}});
     writer.AddFrame(SampleFrame());
+    writer.WriteMaps(SampleMap(1), SampleMap(2));
     writer.AddSkippedImage(0.4, "rgb/1.png: is not an image");
     writer.Finish(
         {.sequence = "tiny",
          .preset = "default",
          .odometry = {.poses = 9, .images = 4, .images_with_pose = 3, .gaps = 1, .longest_gap = 0.5}});
+  }
+
+  // One camera, one object `distance` metres in front of it, seen by the frame's first detection.
+  Map SampleMap(double distance) const {
+    Map map;
+    map.timestamps = {0.2};
+    map.T_world_camera = {Eigen::Isometry3d::Identity()};
+    map.objects.resize(1);
+    map.objects[0].id = "corner0";
+    map.objects[0].model = &model_;
+    map.objects[0].T_world_object.translation().z() = distance;
+    map.objects[0].coefficients = Eigen::Vector2d(2, 0.5);
+    map.objects[0].observations = 4;
+    map.phi = {{0, -1}};
+    map.log_scale = {0, 0};
+    return map;
   }
 
   // Names in the test's folder, to see what is left behind.
@@ -68,6 +92,7 @@ class RunWriterTest : public ::testing::Test {
     return names;
   }
 
+  CategoryModel model_ = TwoEdges();
   testing::TempFolder folder_;
 };
 
@@ -75,7 +100,7 @@ TEST_F(RunWriterTest, WritesObservations) {
   WriteRun(folder_ / "run");
   EXPECT_EQ(ReadFile(folder_ / "run/observations.csv"),
             "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n"
-            "0.200000,0,ok,,0.125000,1,0.500000,-0.250000,2.000000,"
+            "0.200000,0,ok,corner0,0.125000,1,0.500000,-0.250000,2.000000,"
             "0.000000000,-0.983985947,0.000000000,0.178246056,1.500000;0.000000,0\n"
             "0.200000,1,too_few_edges,,,0,,,,,,,,,\n");
 }
@@ -96,6 +121,18 @@ TEST_F(RunWriterTest, WritesTimesTrajectoriesAndConfig) {
   EXPECT_EQ(ReadFile(folder_ / "run/config.yaml"), "seed: 1\n");
   EXPECT_EQ(ReadTumTrajectory(folder_ / "run/trajectory.txt").size(), 1u);
   EXPECT_EQ(ReadTumTrajectory(folder_ / "run/odometry_scaled.txt").size(), 1u);
+}
+
+TEST_F(RunWriterTest, WritesTheMapsObjectsWithTheirSizes) {
+  WriteRun(folder_ / "run");
+  const std::string header =
+      "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
+  // 1.2 m long edges, the first moved by 0.05 m: from -0.55 to 0.65; padding on both sides.
+  const std::string rest =
+      "0.000000000,0.000000000,0.000000000,1.000000000,1.300000,1.300000,0.100000,4,2.000000;0.500000\n";
+  EXPECT_EQ(ReadFile(folder_ / "run/objects.csv"), header + "corner0,corner,,0.000000,0.000000,1.000000," + rest);
+  EXPECT_EQ(ReadFile(folder_ / "run/objects_odometry.csv"),
+            header + "corner0,corner,,0.000000,0.000000,2.000000," + rest);
 }
 
 TEST_F(RunWriterTest, SummaryExplainsTheRun) {

@@ -171,8 +171,8 @@ TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
     tracks.Learn(frame == 0 ? -1 : 0, 0.1 * frame, view, MeasuredAs(seen), odometry_of(T));
     tracks.Update(0.1 * frame);
   }
-  ASSERT_TRUE(tracks.Scale());
-  EXPECT_NEAR(*tracks.Scale(), scale, 0.1 * scale);
+  EXPECT_TRUE(tracks.Scale().IsKnown());
+  EXPECT_NEAR(tracks.Scale().scale, scale, 0.1 * scale);
   const Eigen::Isometry3d T = camera_at(55);
   const auto memory = tracks.Recall(0, odometry_of(T), *view.up_camera);
   ASSERT_TRUE(memory);

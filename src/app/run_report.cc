@@ -49,6 +49,33 @@ Table RunTable(const std::vector<SequenceRunResult>& results) {
   return table;
 }
 
+Table MapTable(const std::vector<SequenceRunResult>& results) {
+  Table table;
+  table.columns = {"sequence",          "objects",      "scale [m/unit]",      "+- [%]",
+                   "first [m/unit]",    "last [m/unit]", "solve [ms]", "back end [ms/frame]"};
+  for (const SequenceRunResult& result : results) {
+    table.rows.push_back({TextCell(result.sequence)});
+    std::vector<Cell>& row = table.rows.back();
+    if (!result.map) {
+      row.resize(table.columns.size(), NoCell());
+      continue;
+    }
+    const MapSummary& map = *result.map;
+    row.push_back(CountCell(map.objects));
+    row.push_back(NumberCell(map.scale, 4));
+    row.push_back(map.scale_sigma ? NumberCell(100 * *map.scale_sigma, 1) : NoCell());
+    row.push_back(NumberCell(map.first_scale, 4));
+    row.push_back(NumberCell(map.last_scale, 4));
+    row.push_back(NumberCell(map.solve_ms, 0));
+    row.push_back(NumberCell(BackEndMilliseconds(result.statistics, map), 2));
+  }
+  table.notes = {
+      "scale: of the odometry, from the objects; +-: standard deviation as the graph has it; first, last: with its "
+      "drift. solve: the map of all",
+      "frames at the end; back end: that, and what was kept between frames, a frame. A dash: no odometry, no map."};
+  return table;
+}
+
 std::string FilesText(const std::filesystem::path& folder) {
   std::string text;
   for (const auto& [name, meaning] : kFiles) {
@@ -61,6 +88,8 @@ std::string FilesText(const std::filesystem::path& folder) {
 
 std::string RunReportText(const std::vector<SequenceRunResult>& results) {
   std::string text = FormatTable(RunTable(results), TableFormat::kText);
+  text += "\n";
+  text += FormatTable(MapTable(results), TableFormat::kText);
   text += "\nResults:\n";
   for (const SequenceRunResult& result : results) text += fmt::format("  {}\n", result.folder.string());
   text += results.size() == 1 ? "\nIn it:\n" : "\nIn each of them:\n";

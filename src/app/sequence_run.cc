@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -62,17 +64,27 @@ void NoteOdometryGaps(const Sequence& sequence) {
   }
 }
 
-// Until there is a map, the trajectory is the odometry in metres: its own, or scaled as the objects tell.
-void WriteTrajectories(const Sequence& sequence, const FramePipeline& pipeline, RunWriter& writer) {
-  std::vector<TimedPose> scaled = sequence.odometry;
-  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().scale;
-  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale().IsKnown()) {
-    fmt::print(stderr,
-               "armature: {}: the objects do not tell the odometry's scale; trajectory.txt keeps its unit\n",
-               sequence.name);
+// The options for this sequence: odometry in metres has no scale to be found.
+Options OptionsFor(const Sequence& sequence, Options options) {
+  if (sequence.odometry_metric) options.mapping.scale = "none";
+  return options;
+}
+
+// Solves the map and writes it; without odometry there is none, and its files are empty.
+std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& writer) {
+  const std::optional<FramePipeline::FinalMaps> maps = pipeline.SolveMaps();
+  if (!maps) {
+    writer.WriteMaps({}, {});
+    return std::nullopt;
   }
-  for (TimedPose& pose : scaled) pose.pose.translation() *= scale;
-  writer.WriteTrajectories(scaled, scaled);
+  writer.WriteMaps(maps->map, maps->by_odometry);
+  const Map& map = maps->map;
+  return MapSummary{.objects = static_cast<long>(map.objects.size()),
+                    .scale = map.MeanScale(),
+                    .scale_sigma = map.scale_sigma,
+                    .first_scale = std::exp(map.log_scale.front()),
+                    .last_scale = std::exp(map.log_scale.back()),
+                    .solve_ms = maps->milliseconds};
 }
 
 size_t FrameCount(const Sequence& sequence, int limit) {
@@ -86,7 +98,7 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
                               const std::filesystem::path& folder) {
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
-  FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up);
+  FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models, sequence.up);
   const size_t count = FrameCount(sequence, settings.frames);
   NoteOdometryGaps(sequence);
   {
@@ -108,12 +120,13 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
       progress.Step();
     }
   }
-  WriteTrajectories(sequence, pipeline, writer);
+  const std::optional<MapSummary> map = WriteMaps(pipeline, writer);
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
                  .preset = settings.preset,
-                 .odometry = sequence.coverage});
-  return {sequence.name, folder, writer.counts(), writer.statistics()};
+                 .odometry = sequence.coverage,
+                 .map = map});
+  return {sequence.name, folder, writer.counts(), writer.statistics(), map};
 }
 
 }  // namespace armature

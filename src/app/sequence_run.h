@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct SequenceRunResult {
   std::filesystem::path folder;  // of the run
   RunCounts counts;
   StageStatistics statistics;
+  std::optional<MapSummary> map;  // none without odometry
 };
 
 // Throws InputError when the first image cannot be read; a later one is reported on standard error, skipped

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "io/build_info.h"
 
@@ -50,6 +51,17 @@ Json OdometryJson(const OdometryCoverage& coverage) {
           {"longest_gap_s", Rounded(coverage.longest_gap)}};
 }
 
+Json MapJson(const std::optional<MapSummary>& map, const StageStatistics& statistics) {
+  if (!map) return nullptr;
+  return {{"objects", map->objects},
+          {"scale", map->scale},
+          {"scale_sigma", map->scale_sigma ? Json(*map->scale_sigma) : Json(nullptr)},
+          {"first_scale", map->first_scale},
+          {"last_scale", map->last_scale},
+          {"solve_ms", Rounded(map->solve_ms)},
+          {"back_end_ms_per_frame", Rounded(BackEndMilliseconds(statistics, *map))}};
+}
+
 Json SkippedJson(const RunCounts& counts) {
   Json skipped = Json::array();
   for (const SkippedImage& image : counts.skipped) {
@@ -59,6 +71,15 @@ Json SkippedJson(const RunCounts& counts) {
 }
 
 }  // namespace
+
+double BackEndMilliseconds(const StageStatistics& statistics, const MapSummary& map) {
+  for (const StageStatistics::Stage& stage : statistics.stages()) {
+    if (stage.name != "mapping" || stage.milliseconds.empty()) continue;
+    const double sum = std::accumulate(stage.milliseconds.begin(), stage.milliseconds.end(), map.solve_ms);
+    return sum / static_cast<double>(stage.milliseconds.size());
+  }
+  return 0;
+}
 
 std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, const StageStatistics& statistics,
                         double wall_seconds) {
@@ -77,6 +98,7 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   json["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}};
   json["counts"] = CountsJson(counts);
   json["odometry"] = OdometryJson(summary.odometry);
+  json["map"] = MapJson(summary.map, statistics);
   json["skipped"] = SkippedJson(counts);
   json["stages_ms"] = StagesJson(statistics);  // wall clock a frame; total is without load
   json["wall_seconds"] = Rounded(wall_seconds);

@@ -45,6 +45,25 @@ size_t EdgesMatched(const std::vector<EdgeMatch>& matches) {
   return edges.size();
 }
 
+std::vector<TimedPose> TrajectoryOf(const Map& map) {
+  std::vector<TimedPose> poses;
+  for (size_t i = 0; i < map.timestamps.size(); ++i) {
+    poses.push_back({.timestamp = map.timestamps[i], .pose = map.T_world_camera[i]});
+  }
+  return poses;
+}
+
+std::string ObjectsText(const std::vector<MapObject>& objects) {
+  std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
+  for (const MapObject& object : objects) {
+    const Eigen::Vector3d size = object.Size();
+    text += fmt::format("{},{},,{},{},{},{},{},{}\n", object.id, object.model->spec.name,
+                        PoseFields(object.T_world_object), Fixed(size.x(), 6), Fixed(size.y(), 6),
+                        Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
+  }
+  return text;
+}
+
 const CategorySpec& SpecOf(const std::vector<CategoryModel>& models, const std::string& category) {
   for (const CategoryModel& model : models) {
     if (model.spec.name == category) return model.spec;
@@ -57,10 +76,8 @@ const CategorySpec& SpecOf(const std::vector<CategoryModel>& models, const std::
 RunWriter::RunWriter(const std::filesystem::path& folder, std::vector<CategoryModel> models)
     : folder_(folder),
       models_(std::move(models)),
-      observations_(File("observations.csv")),
       associations_(File("associations.csv")),
       timings_(File("timings.csv")) {
-  observations_ << "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n";
   associations_ << "timestamp,index,edge,segment_x1,segment_y1,segment_x2,segment_y2,cost\n";
   timings_
       << "timestamp,objects,segments,load_ms,lines_ms,association_ms,optimization_ms,mapping_ms,total_ms\n";
@@ -68,27 +85,23 @@ RunWriter::RunWriter(const std::filesystem::path& folder, std::vector<CategoryMo
 
 void RunWriter::WriteConfig(const std::string& yaml) { WriteFile(File("config.yaml"), yaml); }
 
-void RunWriter::WriteTrajectories(const std::vector<TimedPose>& trajectory,
-                                  const std::vector<TimedPose>& odometry_scaled) {
-  WriteTumTrajectory(File("trajectory.txt"), trajectory);
-  WriteTumTrajectory(File("odometry_scaled.txt"), odometry_scaled);
-}
-
-void RunWriter::WriteObjects(const std::string& file, const std::vector<MapObject>& objects) {
-  std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
-  for (const MapObject& object : objects) {
-    const Eigen::Vector3d size = BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients)) +
-                                 Eigen::Vector3d::Constant(2 * object.model->spec.padding);
-    text += fmt::format("{},{},,{},{},{},{},{},{}\n", object.id, object.model->spec.name,
-                        PoseFields(object.T_world_object), Fixed(size.x(), 6), Fixed(size.y(), 6),
-                        Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
+void RunWriter::WriteMaps(const Map& map, const Map& by_odometry) {
+  WriteTumTrajectory(File("trajectory.txt"), TrajectoryOf(map));
+  WriteTumTrajectory(File("odometry_scaled.txt"), TrajectoryOf(by_odometry));
+  WriteFile(File("objects.csv"), ObjectsText(map.objects));
+  WriteFile(File("objects_odometry.csv"), ObjectsText(by_odometry.objects));
+  size_t camera = 0;
+  for (ObservationRow& row : observations_) {
+    while (camera < map.timestamps.size() && map.timestamps[camera] < row.timestamp) ++camera;
+    if (camera >= map.timestamps.size() || map.timestamps[camera] != row.timestamp) continue;
+    const int object = map.phi[camera][row.index];
+    if (object >= 0) row.object = map.objects[static_cast<size_t>(object)].id;
   }
-  WriteFile(File(file), text);
 }
 
 void RunWriter::AddFrame(const FrameResult& frame) {
   for (size_t index = 0; index < frame.observations.size(); ++index) {
-    WriteObservation(frame.timestamp, index, frame.observations[index]);
+    AddObservation(frame.timestamp, index, frame.observations[index]);
     WriteAssociations(frame.timestamp, index, frame.observations[index]);
     const auto status = static_cast<size_t>(frame.observations[index].estimate.status);
     ++counts_.observations.at(status);
@@ -98,20 +111,28 @@ void RunWriter::AddFrame(const FrameResult& frame) {
   ++counts_.frames;
   counts_.detections += static_cast<long>(frame.observations.size());
   counts_.segments += static_cast<long>(frame.segments.size());
-  CheckWritten(observations_, File("observations.csv"));
   CheckWritten(associations_, File("associations.csv"));
   CheckWritten(timings_, File("timings.csv"));
 }
 
-void RunWriter::WriteObservation(double timestamp, size_t index, const ObjectObservation& observation) {
+void RunWriter::AddObservation(double timestamp, size_t index, const ObjectObservation& observation) {
   const ObjectEstimate& estimate = observation.estimate;
   const bool has_pose = estimate.status == EstimateStatus::kOk;
-  const std::string object;  // no map yet
-  observations_ << fmt::format(
-      "{},{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index, StatusName(estimate.status), object,
-      estimate.matches.empty() ? "" : Fixed(estimate.cost, 6), EdgesMatched(estimate.matches),
-      has_pose ? PoseFields(estimate.T_camera_object) : ",,,,,,",
-      has_pose ? ShapeField(estimate.coefficients) : "", has_pose ? (estimate.ambiguous ? "1" : "0") : "");
+  observations_.push_back(
+      {timestamp, index, fmt::format("{},{},{}", Fixed(timestamp, 6), index, StatusName(estimate.status)), "",
+       fmt::format("{},{},{},{},{}", estimate.matches.empty() ? "" : Fixed(estimate.cost, 6),
+                   EdgesMatched(estimate.matches), has_pose ? PoseFields(estimate.T_camera_object) : ",,,,,,",
+                   has_pose ? ShapeField(estimate.coefficients) : "",
+                   has_pose ? (estimate.ambiguous ? "1" : "0") : "")});
+}
+
+void RunWriter::WriteObservations() {
+  std::string text =
+      "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n";
+  for (const ObservationRow& row : observations_) {
+    text += fmt::format("{},{},{}\n", row.before_object, row.object, row.after_object);
+  }
+  WriteFile(File("observations.csv"), text);
 }
 
 void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation) {
@@ -139,10 +160,9 @@ void RunWriter::AddSkippedImage(double timestamp, const std::string& reason) {
 }
 
 void RunWriter::Finish(const RunSummary& summary) {
-  observations_.close();
+  WriteObservations();
   associations_.close();
   timings_.close();
-  CheckWritten(observations_, File("observations.csv"));
   CheckWritten(associations_, File("associations.csv"));
   CheckWritten(timings_, File("timings.csv"));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start_;

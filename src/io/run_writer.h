@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mapping/object_map.h"
+#include "mapping/solve_map.h"
 #include "category/category_model.h"
 #include "io/run_folder.h"
 #include "io/run_summary.h"
@@ -26,10 +26,9 @@ class RunWriter {
   RunWriter(const std::filesystem::path& folder, std::vector<CategoryModel> models);
 
   void WriteConfig(const std::string& yaml);  // config.yaml
-  // trajectory.txt (T_world_camera) and odometry_scaled.txt (the odometry alone, same frame and scale).
-  void WriteTrajectories(const std::vector<TimedPose>& trajectory,
-                         const std::vector<TimedPose>& odometry_scaled);
-  void WriteObjects(const std::string& file, const std::vector<MapObject>& objects);
+  // trajectory.txt and objects.csv of the map, odometry_scaled.txt and objects_odometry.csv of the same objects
+  // placed by odometry alone, and which object each observation is of.
+  void WriteMaps(const Map& map, const Map& by_odometry);
   // Rows of observations.csv, associations.csv and timings.csv.
   void AddFrame(const FrameResult& frame);
   // An image that could not be read: it has no rows and is listed in the summary.
@@ -44,13 +43,22 @@ class RunWriter {
 
  private:
   std::filesystem::path File(const std::string& name) const { return folder_.partial() / name; }
-  void WriteObservation(double timestamp, size_t index, const ObjectObservation& observation);
+  void AddObservation(double timestamp, size_t index, const ObjectObservation& observation);
   void WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation);
   void WriteTimings(const FrameResult& frame);
 
+  // A row of observations.csv; which object it is of is known once the map is.
+  struct ObservationRow {
+    double timestamp = 0;
+    size_t index = 0;
+    std::string before_object, object, after_object;
+  };
+  void WriteObservations();
+
   RunFolder folder_;
   std::vector<CategoryModel> models_;
-  std::ofstream observations_, associations_, timings_;
+  std::vector<ObservationRow> observations_;
+  std::ofstream associations_, timings_;
   RunCounts counts_;
   StageStatistics statistics_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -79,6 +79,14 @@ void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, int min
   }
 }
 
+// The first camera stands where the odometry, times the map's mean scale, has it.
+void Anchor(const Eigen::Isometry3d& T_odom_camera, Map& map) {
+  const Eigen::Vector3d shift =
+      map.MeanScale() * T_odom_camera.translation() - map.T_world_camera.front().translation();
+  for (Eigen::Isometry3d& T_world_camera : map.T_world_camera) T_world_camera.pretranslate(shift);
+  for (MapObject& object : map.objects) object.T_world_object.pretranslate(shift);
+}
+
 Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const ObjectOfObservation& phi,
           int min_observations) {
   Map map;
@@ -86,6 +94,7 @@ Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const Obje
   map.T_world_camera = graph.T_world_camera;
   map.log_scale = graph.log_scale;
   StoreObjects(graph, phi, min_observations, map);
+  Anchor(frames.front().T_odom_camera, map);
   return map;
 }
 
