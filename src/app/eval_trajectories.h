@@ -13,7 +13,7 @@
 namespace armature {
 
 struct TrajectoryArguments {
-  std::vector<std::string> alignments{"se3", "sim3"};
+  std::vector<std::string> alignments{"first_pose", "se3", "sim3"};
   int first_n = 10;              // pairs that the alignment first_n looks at
   double tolerance = 0.01;       // seconds between the stamps of a pair
   std::string delta = "1s";      // of the relative error

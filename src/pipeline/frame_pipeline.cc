@@ -95,13 +95,10 @@ std::vector<ObjectView> FramePipeline::ViewsOf(const FrameInput& input, const Fr
   return views;
 }
 
-bool FramePipeline::Remembers(const FrameInput& input) const {
-  return options_.tracks.enabled && input.T_odom_camera;
-}
-
 std::vector<int> FramePipeline::Recall(const FrameInput& input, std::vector<ObjectView>& views) const {
-  if (!Remembers(input)) return std::vector<int>(views.size(), -1);
+  if (!input.T_odom_camera) return std::vector<int>(views.size(), -1);
   std::vector<int> tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
+  if (!options_.tracks.enabled) return tracks;  // the map wants to know them nevertheless
   for (size_t i = 0; i < views.size(); ++i) {
     views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, *views[i].up_camera);
   }
@@ -138,10 +135,10 @@ void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<Obje
     if (estimate.status != EstimateStatus::kOk) continue;
     if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
     floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
-    if (!Remembers(input)) continue;
+    if (!input.T_odom_camera) continue;
     tracks[i] = tracks_.Learn(track, input.timestamp, views[i], estimations[i], *input.T_odom_camera);
   }
-  if (Remembers(input)) tracks_.Update(input.timestamp);
+  if (input.T_odom_camera) tracks_.Update(input.timestamp);
 }
 
 void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& result,
@@ -189,7 +186,7 @@ void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
 std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
   const std::optional<Eigen::Isometry3d> last = std::exchange(last_T_odom_camera_, input.T_odom_camera);
   const ScaleEstimate scale = tracks_.Scale();
-  if (!last || !input.T_odom_camera || !scale.IsKnown()) return std::nullopt;
+  if (!options_.tracks.enabled || !last || !input.T_odom_camera || !scale.IsKnown()) return std::nullopt;
   const Eigen::Vector3d up_odom = input.T_odom_camera->linear() * up.up_camera;
   return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
