@@ -14,6 +14,7 @@
 #include "io/nearest_name.h"
 #include "io/number_format.h"
 #include "io/text.h"
+#include "mapping/free_poses.h"
 #include "mapping/spanning_tree.h"
 #include "mapping/square_root_information.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "mapping/spanning_tree.h"
+#include "mapping/free_poses.h"
 
 namespace armature {
 namespace {
@@ -14,25 +14,8 @@ namespace {
 // Of the largest weight. Edges that say nothing about rotation (or position) still connect the poses, so the
 // systems have one solution; what the others say is not changed in its first six digits.
 constexpr double kLeastWeight = 1e-6;
-constexpr int kFixed = -1;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-
-// Position of each pose among those that are free.
-struct FreePoses {
-  std::vector<int> index;  // kFixed: none
-  int count = 0;
-};
-
-FreePoses FindFreePoses(const PoseGraph& graph) {
-  FreePoses free;
-  free.index.assign(graph.poses.size(), 0);
-  for (const size_t pose : FixedPoses(graph)) free.index[pose] = kFixed;
-  for (int& index : free.index) {
-    if (index != kFixed) index = free.count++;
-  }
-  return free;
-}
 
 // Mean information of each edge on rotation (first = 0) or translation (first = 3).
 std::vector<double> Weights(const PoseGraph& graph, int first) {
@@ -94,20 +77,20 @@ void SolveRotations(const PoseGraph& graph, const FreePoses& free, std::vector<E
     const int i = free.index[edge.from], j = free.index[edge.to];
     const Eigen::Matrix3d unit = weights[e] * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d turn = weights[e] * edge.T_from_to.linear();
-    if (i != kFixed) system.AddBlock(3 * i, 3 * i, unit);
-    if (j != kFixed) system.AddBlock(3 * j, 3 * j, unit);
-    if (i != kFixed && j != kFixed) {
+    if (i != kFixedPose) system.AddBlock(3 * i, 3 * i, unit);
+    if (j != kFixedPose) system.AddBlock(3 * j, 3 * j, unit);
+    if (i != kFixedPose && j != kFixedPose) {
       if (i > j) system.AddBlock(3 * i, 3 * j, (-turn).eval());
       if (j > i) system.AddBlock(3 * j, 3 * i, (-turn.transpose()).eval());
-    } else if (i != kFixed) {
+    } else if (i != kFixedPose) {
       system.AddRightSide(3 * i, turn * poses[edge.to].linear().transpose());
-    } else if (j != kFixed) {
+    } else if (j != kFixedPose) {
       system.AddRightSide(3 * j, turn.transpose() * poses[edge.from].linear().transpose());
     }
   }
   const Eigen::MatrixXd x = system.Solve();
   for (size_t pose = 0; pose < poses.size(); ++pose) {
-    if (free.index[pose] == kFixed) continue;
+    if (free.index[pose] == kFixedPose) continue;
     poses[pose].linear() = NearestRotation(x.middleRows<3>(3 * free.index[pose]).transpose());
   }
 }
@@ -122,21 +105,21 @@ void SolvePositions(const PoseGraph& graph, const FreePoses& free, std::vector<E
     const Eigen::Matrix<double, 1, 1> unit(weights[e]);
     const Eigen::RowVector3d step =
         weights[e] * (poses[edge.from].linear() * edge.T_from_to.translation()).transpose();
-    if (i != kFixed) system.AddBlock(i, i, unit);
-    if (j != kFixed) system.AddBlock(j, j, unit);
-    if (i != kFixed && j != kFixed) system.AddBlock(std::max(i, j), std::min(i, j), (-unit).eval());
-    if (i != kFixed) system.AddRightSide(i, -step);
-    if (j != kFixed) system.AddRightSide(j, step);
-    if (i != kFixed && j == kFixed) {
+    if (i != kFixedPose) system.AddBlock(i, i, unit);
+    if (j != kFixedPose) system.AddBlock(j, j, unit);
+    if (i != kFixedPose && j != kFixedPose) system.AddBlock(std::max(i, j), std::min(i, j), (-unit).eval());
+    if (i != kFixedPose) system.AddRightSide(i, -step);
+    if (j != kFixedPose) system.AddRightSide(j, step);
+    if (i != kFixedPose && j == kFixedPose) {
       system.AddRightSide(i, weights[e] * poses[edge.to].translation().transpose());
     }
-    if (j != kFixed && i == kFixed) {
+    if (j != kFixedPose && i == kFixedPose) {
       system.AddRightSide(j, weights[e] * poses[edge.from].translation().transpose());
     }
   }
   const Eigen::MatrixXd x = system.Solve();
   for (size_t pose = 0; pose < poses.size(); ++pose) {
-    if (free.index[pose] != kFixed) poses[pose].translation() = x.row(free.index[pose]).transpose();
+    if (free.index[pose] != kFixedPose) poses[pose].translation() = x.row(free.index[pose]).transpose();
   }
 }
 

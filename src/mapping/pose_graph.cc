@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/pose_graph.h"
 
-#include <ceres/problem.h>
-#include <ceres/solver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
-#include "mapping/chordal_initialisation.h"
-#include "mapping/pose_block.h"
-#include "mapping/relative_pose_cost.h"
+#include "mapping/normal_equations.h"
+#include "mapping/pose_graph_start.h"
 #include "mapping/spanning_tree.h"
 
 namespace armature {
@@ -19,14 +17,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A start is poor when its whitened residuals have a root mean square above 3. Where the information is
-// honest it is about 1 at the optimum, so on average the start contradicts each measurement by more than
-// three standard deviations: it lies outside of what the measurements leave open.
-constexpr double kPoorResidual = 3;
-
-// Gauss-Newton steps wherever they lower the cost: the damping that this radius leaves is below rounding.
-// Ceres' default of 1e4 damps pose graphs, whose long chains bend at almost no cost, for several iterations.
-constexpr double kTrustRegionRadius = 1e10;
+// The trust region starts so wide that steps are those of Gauss-Newton wherever they lower the cost. A narrow
+// one damps the long chains of a pose graph, which bend at almost no cost, for many iterations.
+constexpr double kFirstRadius = 1e10;
+constexpr double kLeastRadius = 1e-20;
+constexpr double kLeastRatio = 1e-3;     // of the decrease that the linearised residuals promise
+constexpr double kNoStep = 1e-12;        // radians, metres
+constexpr double kLeastDiagonal = 1e-6;  // of H, of its mean: damping for what no edge measures
 
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -50,82 +47,87 @@ void CheckGraph(const PoseGraph& graph) {
   }
 }
 
-struct Start {
-  PoseGraphStart kind = PoseGraphStart::kGiven;
-  std::vector<Eigen::Isometry3d> poses;
-};
-
-// A lower cost does not prove a better basin, but a chordal start has no wrong turns of its own to hide: what
-// it leaves is the noise of the measurements.
-Start AutomaticStart(const PoseGraph& graph) {
-  const double given_cost = PoseGraphCost(graph, graph.poses);
-  const double residuals = 6.0 * static_cast<double>(graph.edges.size());
-  if (!(given_cost > kPoorResidual * kPoorResidual * residuals)) return {PoseGraphStart::kGiven, graph.poses};
-  Start chordal{PoseGraphStart::kChordal, ChordalPoses(graph)};
-  if (PoseGraphCost(graph, chordal.poses) < given_cost) return chordal;
-  return {PoseGraphStart::kGiven, graph.poses};
-}
-
-Start StartPoses(const PoseGraph& graph, PoseGraphStart kind) {
-  switch (kind) {
-    case PoseGraphStart::kAuto:
-      return AutomaticStart(graph);
-    case PoseGraphStart::kOdometry:
-      return {kind, ChainedPoses(graph)};
-    case PoseGraphStart::kChordal:
-      return {kind, ChordalPoses(graph)};
-    case PoseGraphStart::kGiven:
-      break;
+// Levenberg-Marquardt (Marquardt's scaling, the radius as in Madsen, Nielsen and Tingleff 2004, 3.2):
+//   (H + D) d = -g,  D = diag(H) / radius.
+class Optimiser {
+ public:
+  Optimiser(const PoseGraph& graph, std::vector<Eigen::Isometry3d> poses)
+      : builder_(graph), cholesky_(builder_.free().count, builder_.below()), poses_(std::move(poses)) {
+    builder_.BuildAt(poses_, equations_);
+    if (!std::isfinite(equations_.cost)) throw std::runtime_error("pose graph: the cost is not finite");
   }
-  return {PoseGraphStart::kGiven, graph.poses};
-}
 
-void BuildProblem(const PoseGraph& graph, PoseManifold& manifold, std::vector<PoseBlock>& blocks,
-                  ceres::Problem& problem) {
-  for (PoseBlock& block : blocks) problem.AddParameterBlock(block.data(), 7, &manifold);
-  for (const size_t pose : FixedPoses(graph)) problem.SetParameterBlockConstant(blocks[pose].data());
-  for (const PoseGraphEdge& edge : graph.edges) {
-    problem.AddResidualBlock(new RelativePoseCost(edge), nullptr, blocks[edge.from].data(),
-                             blocks[edge.to].data());
-  }
-}
-
-ceres::Solver::Options SolverOptions(const PoseGraphOptions& options) {
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  solver.initial_trust_region_radius = kTrustRegionRadius;
-  solver.max_num_iterations = options.max_iterations;
-  solver.function_tolerance = options.tolerance;
-  solver.num_threads = 1;
-  solver.logging_type = ceres::SILENT;
-  return solver;
-}
-
-// Improves result.poses.
-void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraphResult& result) {
-  PoseManifold manifold;
-  std::vector<PoseBlock> blocks(graph.poses.size());
-  std::transform(result.poses.begin(), result.poses.end(), blocks.begin(), ToPoseBlock);
-  ceres::Problem::Options problem_options;
-  problem_options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(problem_options);
-  BuildProblem(graph, manifold, blocks, problem);
-
-  ceres::Solver::Summary summary;
-  ceres::Solve(SolverOptions(options), &problem, &summary);
-  if (!summary.IsSolutionUsable()) {
-    throw std::runtime_error(fmt::format("pose graph: the solver failed: {}", summary.message));
-  }
-  for (size_t pose = 0; pose < blocks.size(); ++pose) {
-    if (!problem.IsParameterBlockConstant(blocks[pose].data())) {
-      result.poses[pose] = FromPoseBlock(blocks[pose].data());
+  void Run(const PoseGraphOptions& options, PoseGraphResult& result) {
+    result.initial_cost = equations_.cost;
+    result.converged = builder_.free().count == 0;
+    while (!result.converged && result.iterations < options.max_iterations && radius_ > kLeastRadius) {
+      ++result.iterations;
+      result.converged = Iterate(options.tolerance);
     }
+    result.final_cost = equations_.cost;
+    result.poses = poses_;
   }
-  result.initial_cost = 2 * summary.initial_cost;  // Ceres counts half of it
-  result.final_cost = 2 * summary.final_cost;
-  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
-  result.converged = summary.termination_type == ceres::CONVERGENCE;
-}
+
+ private:
+  // Takes the step if it lowers the cost; true when there is nothing left to gain.
+  bool Iterate(double tolerance) {
+    const Eigen::VectorXd damping = Damping();
+    std::vector<Matrix6d> diagonal = equations_.diagonal;
+    for (size_t i = 0; i < diagonal.size(); ++i) {
+      diagonal[i].diagonal() += damping.segment<6>(6 * static_cast<long>(i));
+    }
+    if (!cholesky_.Factorize(diagonal, equations_.below)) return Narrow();
+    const Eigen::VectorXd step = -cholesky_.Solve(equations_.gradient);
+    // |r|^2 - |r + J d|^2 = -2 g.d - d.H d, and H d = -g - D d.
+    const double promised = step.dot(damping.cwiseProduct(step) - equations_.gradient);
+    const std::vector<Eigen::Isometry3d> moved = Moved(step);
+    const double before = equations_.cost, gained = before - builder_.CostAt(moved);
+    const bool is_last = step.lpNorm<Eigen::Infinity>() < kNoStep || promised <= tolerance * before;
+    if (!(gained > kLeastRatio * promised)) return is_last || Narrow();
+    poses_ = moved;
+    builder_.BuildAt(poses_, equations_);
+    Widen(gained / promised);
+    return is_last || gained <= tolerance * before;
+  }
+
+  Eigen::VectorXd Damping() const {
+    Eigen::VectorXd diagonal(equations_.gradient.size());
+    for (size_t i = 0; i < equations_.diagonal.size(); ++i) {
+      diagonal.segment<6>(6 * static_cast<long>(i)) = equations_.diagonal[i].diagonal();
+    }
+    return diagonal.cwiseMax(kLeastDiagonal * diagonal.mean()) / radius_;
+  }
+
+  std::vector<Eigen::Isometry3d> Moved(const Eigen::VectorXd& step) const {
+    std::vector<Eigen::Isometry3d> moved = poses_;
+    for (size_t pose = 0; pose < moved.size(); ++pose) {
+      const int index = builder_.free().index[pose];
+      if (index == kFixedPose) continue;
+      Eigen::Isometry3d& T = moved[pose];
+      T = T * ExpSE3(step.segment<6>(6 * index));
+      T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();  // rounding adds up
+    }
+    return moved;
+  }
+
+  bool Narrow() {
+    radius_ /= narrowing_;
+    narrowing_ *= 2;
+    return false;
+  }
+
+  void Widen(double ratio) {
+    radius_ /= std::max(1 / 3.0, 1 - std::pow(2 * ratio - 1, 3));
+    narrowing_ = 2;
+  }
+
+  NormalEquationsBuilder builder_;
+  BlockCholesky cholesky_;
+  std::vector<Eigen::Isometry3d> poses_;
+  NormalEquations equations_;  // at poses_
+  double radius_ = kFirstRadius;
+  double narrowing_ = 2;  // the next divisor of the radius
+};
 
 }  // namespace
 
@@ -142,13 +144,12 @@ PoseGraphResult SolvePoseGraph(const PoseGraph& graph, const PoseGraphOptions& o
   CheckGraph(graph);
   PoseGraphResult result;
   Clock::time_point clock = Clock::now();
-  Start start = StartPoses(graph, options.start);
-  result.start = start.kind;
-  result.poses = std::move(start.poses);
+  StartingPoses start = FindStartingPoses(graph, options.start);
+  result.start = start.start;
   result.start_milliseconds = MillisecondsSince(clock);
 
   clock = Clock::now();
-  Optimise(graph, options, result);
+  Optimiser(graph, std::move(start.poses)).Run(options, result);
   result.solve_milliseconds = MillisecondsSince(clock);
   return result;
 }

@@ -37,7 +37,7 @@ enum class PoseGraphStart {
 struct PoseGraphOptions {
   PoseGraphStart start = PoseGraphStart::kAuto;
   int max_iterations = 100;
-  double tolerance = 1e-9;  // stop when an iteration lowers the cost by less than this part of it
+  double tolerance = 1e-7;  // stop when an iteration lowers the cost by less than this part of it
 };
 
 struct PoseGraphResult {
@@ -46,7 +46,7 @@ struct PoseGraphResult {
   double initial_cost = 0;                        // at that start
   double final_cost = 0;
   int iterations = 0;
-  bool converged = false;  // otherwise the iterations ran out, or no step lowered the cost any more
+  bool converged = false;  // otherwise the iterations ran out, or no step lowers the cost
   double start_milliseconds = 0;
   double solve_milliseconds = 0;
 };

@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "mapping/free_poses.h"
+
 namespace armature {
 namespace {
 
@@ -47,10 +49,6 @@ std::vector<std::vector<const PoseGraphEdge*>> TreeEdges(const PoseGraph& graph)
 }
 
 }  // namespace
-
-std::vector<size_t> FixedPoses(const PoseGraph& graph) {
-  return graph.fixed.empty() ? std::vector<size_t>{0} : graph.fixed;
-}
 
 std::optional<size_t> FirstUnconnectedPose(const PoseGraph& graph) {
   ConnectedSets sets(graph.poses.size());

@@ -8,9 +8,6 @@
 
 namespace armature {
 
-// The graph's fixed poses, or the first pose where it names none.
-std::vector<size_t> FixedPoses(const PoseGraph& graph);
-
 // The first pose that no chain of edges connects to a fixed pose.
 std::optional<size_t> FirstUnconnectedPose(const PoseGraph& graph);
 
