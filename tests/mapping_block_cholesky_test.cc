@@ -20,8 +20,8 @@ struct BlockMatrix {
     for (Eigen::Index i = 0; i < count; ++i) A.block<6, 6>(6 * i, 6 * i) = diagonal[static_cast<size_t>(i)];
     for (size_t i = 0; i < below.size(); ++i) {
       const auto [row, column] = below[i];
-      A.block<6, 6>(6 * row, 6 * column) = below_blocks[i];
-      A.block<6, 6>(6 * column, 6 * row) = below_blocks[i].transpose();
+      A.block<6, 6>(6L * row, 6L * column) = below_blocks[i];
+      A.block<6, 6>(6L * column, 6L * row) = below_blocks[i].transpose();
     }
     return A;
   }

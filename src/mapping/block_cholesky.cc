@@ -23,8 +23,9 @@ constexpr double kLargeFrontZeros = 0.1;
 
 std::vector<int> Inverse(const std::vector<int>& permutation) {
   std::vector<int> inverse(permutation.size());
-  for (size_t i = 0; i < permutation.size(); ++i)
+  for (size_t i = 0; i < permutation.size(); ++i) {
     inverse[static_cast<size_t>(permutation[i])] = static_cast<int>(i);
+  }
   return inverse;
 }
 
@@ -39,10 +40,11 @@ std::vector<int> ScatteredOrder(int blocks) {
 
 // Approximate minimum degree: element k is the block to be eliminated k-th. It takes the first of equals, and
 // on the regular walks of pose graphs nearly all are equal: in their own order it would eat its way along the
-// walk and leave a third more work than from a scattered one.
+// walk and leave up to a third more work than from a scattered one.
 std::vector<int> MinimumDegreeOrder(int blocks, const std::vector<BlockCholesky::BlockIndex>& below) {
   const std::vector<int> scattered = ScatteredOrder(blocks), place = Inverse(scattered);
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<size_t>(blocks) + below.size());
   for (int i = 0; i < blocks; ++i) entries.emplace_back(i, i, 1);
   for (const auto& [row, column] : below) {
     const int a = place[static_cast<size_t>(row)], b = place[static_cast<size_t>(column)];
@@ -198,10 +200,10 @@ size_t BlockCholesky::LargestStack() const {
   std::vector<size_t> handed_on(fronts_.size(), 0);  // to each front by its children
   size_t top = 0, largest = 0;
   for (size_t f = 0; f < fronts_.size(); ++f) {
-    largest = std::max(largest, top + UpdateSize(fronts_[f]));
-    top += UpdateSize(fronts_[f]) - handed_on[f];
-    if (fronts_[f].parent != kNoParent)
-      handed_on[static_cast<size_t>(fronts_[f].parent)] += UpdateSize(fronts_[f]);
+    const Front& front = fronts_[f];
+    largest = std::max(largest, top + UpdateSize(front));
+    top += UpdateSize(front) - handed_on[f];
+    if (front.parent != kNoParent) handed_on[static_cast<size_t>(front.parent)] += UpdateSize(front);
   }
   return largest;
 }
@@ -278,7 +280,8 @@ bool BlockCholesky::FactorizeFronts() {
                          update)) {
       return false;
     }
-    std::copy(update, update + UpdateSize(front), updates_.data() + top);
+    double* base = updates_.data() + top;
+    if (base != update) std::copy(update, update + UpdateSize(front), base);
     top += UpdateSize(front);
     waiting.push_back(f);
   }
@@ -291,11 +294,11 @@ bool BlockCholesky::Factorize(const std::vector<Matrix6d>& diagonal, const std::
 }
 
 Eigen::VectorXd BlockCholesky::Solve(const Eigen::VectorXd& b) const {
-  Eigen::VectorXd x(b.size());
+  Eigen::VectorXd x = b;
   for (size_t i = 0; i < new_index_.size(); ++i) Segment(x, new_index_[i]) = Segment(b, static_cast<int>(i));
   SolveForwards(x);
   SolveBackwards(x);
-  Eigen::VectorXd solution(b.size());
+  Eigen::VectorXd solution = x;
   for (size_t i = 0; i < new_index_.size(); ++i) {
     Segment(solution, static_cast<int>(i)) = Segment(x, new_index_[i]);
   }
@@ -304,7 +307,12 @@ Eigen::VectorXd BlockCholesky::Solve(const Eigen::VectorXd& b) const {
 
 BlockCholesky::Panel BlockCholesky::PanelOf(const Front& front) const {
   return {panels_.data() + front.panel, static_cast<Eigen::Index>(PanelStride(front) - kRowPadding),
-          kBlockSize * front.columns, Eigen::OuterStride<>(static_cast<Eigen::Index>(PanelStride(front)))};
+          Eigen::Index{kBlockSize} * front.columns,
+          Eigen::OuterStride<>(static_cast<Eigen::Index>(PanelStride(front)))};
+}
+
+Eigen::Index BlockCholesky::FirstUnknown(const Front& front) {
+  return Eigen::Index{kBlockSize} * front.first;
 }
 
 // L y = x, in place.
@@ -312,9 +320,10 @@ void BlockCholesky::SolveForwards(Eigen::VectorXd& x) const {
   Eigen::VectorXd product;
   for (const Front& front : fronts_) {
     const Panel L = PanelOf(front);
-    auto pivots = x.segment(kBlockSize * front.first, L.cols());
+    auto pivots = x.segment(FirstUnknown(front), L.cols());
     L.topRows(L.cols()).triangularView<Eigen::Lower>().solveInPlace(pivots);
-    product.noalias() = L.bottomRows(L.rows() - L.cols()) * pivots;
+    product.setZero(L.rows() - L.cols());
+    product.noalias() += L.bottomRows(product.size()) * pivots;
     for (size_t r = 0; r < front.rows.size(); ++r) {
       Segment(x, front.rows[r]) -= Segment(product, static_cast<int>(r));
     }
@@ -326,11 +335,11 @@ void BlockCholesky::SolveBackwards(Eigen::VectorXd& x) const {
   Eigen::VectorXd below;
   for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
     const Panel L = PanelOf(*front);
-    below.resize(L.rows() - L.cols());
+    below.setZero(L.rows() - L.cols());
     for (size_t r = 0; r < front->rows.size(); ++r) {
       Segment(below, static_cast<int>(r)) = Segment(x, front->rows[r]);
     }
-    auto pivots = x.segment(kBlockSize * front->first, L.cols());
+    auto pivots = x.segment(FirstUnknown(*front), L.cols());
     pivots.noalias() -= L.bottomRows(below.size()).transpose() * below;
     L.topRows(L.cols()).transpose().triangularView<Eigen::Upper>().solveInPlace(pivots);
   }

