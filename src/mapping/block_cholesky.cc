@@ -323,7 +323,7 @@ void BlockCholesky::SolveForwards(Eigen::VectorXd& x) const {
     auto pivots = x.segment(FirstUnknown(front), L.cols());
     L.topRows(L.cols()).triangularView<Eigen::Lower>().solveInPlace(pivots);
     product.setZero(L.rows() - L.cols());
-    product.noalias() += L.bottomRows(product.size()) * pivots;
+    product += L.bottomRows(product.size()).lazyProduct(pivots);
     for (size_t r = 0; r < front.rows.size(); ++r) {
       Segment(x, front.rows[r]) -= Segment(product, static_cast<int>(r));
     }
@@ -340,7 +340,7 @@ void BlockCholesky::SolveBackwards(Eigen::VectorXd& x) const {
       Segment(below, static_cast<int>(r)) = Segment(x, front->rows[r]);
     }
     auto pivots = x.segment(FirstUnknown(*front), L.cols());
-    pivots.noalias() -= L.bottomRows(below.size()).transpose() * below;
+    pivots -= L.bottomRows(below.size()).transpose().lazyProduct(below);
     L.topRows(L.cols()).transpose().triangularView<Eigen::Upper>().solveInPlace(pivots);
   }
 }
