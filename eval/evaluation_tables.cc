@@ -131,10 +131,11 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
 std::string RawRow(const std::string& run, const std::string& sequence, const EvaluatedDetection& d) {
   std::string row = fmt::format("{},{},{},{},{},{},{}", run, sequence, Fixed(d.timestamp, 6), d.index,
                                 d.object, d.category, d.status);
-  row += d.error ? fmt::format(",{},{},{},{}", Fixed(d.error->azimuth_deg, 4),
+  row += d.error ? fmt::format(",{},{},{},{},{},{}", Fixed(d.error->azimuth_deg, 4),
                                Fixed(d.error->translation_percent, 4), Fixed(d.error->distance_percent, 4),
-                               Fixed(d.error->elevation_axis_deg, 4))
-                 : ",,,,";
+                               Fixed(d.error->elevation_axis_deg, 4), Fixed(d.error->pitch_deg, 4),
+                               Fixed(d.error->roll_deg, 4))
+                 : ",,,,,,";
   if (!d.matches) return row + ",,,,,,\n";
   const MatchCounts& m = *d.matches;
   return row + fmt::format(",{},{},{},{},{},{}\n", m.matches, m.visible_edges, m.on_edge.matches,
@@ -165,8 +166,8 @@ std::vector<Table> EvaluationTables(const std::string& sequence, const std::vect
 std::string RawCsv(const std::vector<NamedEvaluation>& runs) {
   std::string text =
       "run,sequence,timestamp,index,object,category,status,azimuth_error_deg,translation_error_percent,"
-      "distance_error_percent,"
-      "up_axis_error_deg,matches,visible_edges,right_matches,found_edges,near_matches,near_edges\n";
+      "distance_error_percent,up_axis_error_deg,pitch_error_deg,roll_error_deg,matches,visible_edges,"
+      "right_matches,found_edges,near_matches,near_edges\n";
   for (const NamedEvaluation& run : runs) {
     for (const EvaluatedDetection& d : run.evaluation.detections)
       text += RawRow(run.run, run.evaluation.sequence, d);

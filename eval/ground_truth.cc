@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "eval/csv_pose.h"
 #include "io/csv.h"
 #include "io/errors.h"
+#include "io/text.h"
 
 namespace armature {
 namespace {
@@ -20,15 +23,20 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   std::vector<TrueObject> objects;
   for (const CsvRow& row : table.rows()) {
     TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
-    const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
-    if (std::abs(q.norm() - 1) > 1e-3)
-      throw InputError(row.At("the quaternion has not unit length; normalise it"));
-    object.T_world_object.linear() = q.normalized().toRotationMatrix();
-    object.T_world_object.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
+    object.T_world_object = ReadPose(row);
     object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
     objects.push_back(std::move(object));
   }
   return objects;
+}
+
+// The file's first line that is a comment, without the mark.
+std::string FirstComment(const std::filesystem::path& file) {
+  std::istringstream stream(ReadTextFile(file));
+  for (std::string line; std::getline(stream, line);) {
+    if (Trimmed(line).starts_with("#")) return Trimmed(Trimmed(line).substr(1));
+  }
+  return "";
 }
 
 }  // namespace
@@ -37,6 +45,7 @@ GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   GroundTruth truth;
   truth.T_world_camera = ReadTumTrajectory(sequence / "groundtruth.txt");
   truth.objects = ReadObjects(sequence / "objects_gt.csv");
+  truth.objects_source = FirstComment(sequence / "objects_gt.csv");
   const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});
   for (const CsvRow& row : table.rows()) {
     const auto object = std::find_if(truth.objects.begin(), truth.objects.end(),

@@ -25,6 +25,7 @@ struct TrueObject {
 struct GroundTruth {
   std::vector<TimedPose> T_world_camera;
   std::vector<TrueObject> objects;
+  std::string objects_source;  // the first comment of objects_gt.csv: where it is from; empty: none
   // Which object a detection is of: (timestamp in whole microseconds, index) -> position in `objects`.
   std::map<std::pair<long long, int>, size_t> detections;
 

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "eval/orientation_error.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 
@@ -37,8 +38,11 @@ ObservationError CompareObservation(const std::string& category, int symmetry_or
                               T_camera_object_true.translation().norm();
   error.distance_percent =
       100 * (T_camera_object.translation().norm() / T_camera_object_true.translation().norm() - 1);
-  const double cosine = T_camera_object.linear().col(1).dot(T_camera_object_true.linear().col(1));
-  error.elevation_axis_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+  const OrientationError orientation =
+      CompareOrientation(T_camera_object.linear(), T_camera_object_true.linear(), symmetry_order);
+  error.elevation_axis_deg = orientation.tilt_deg;
+  error.pitch_deg = orientation.pitch_deg;
+  error.roll_deg = orientation.roll_deg;
   return error;
 }
 

@@ -16,6 +16,8 @@ struct ObservationError {
   double translation_percent = 0;  // |t - t_true| in percent of |t_true|
   double distance_percent = 0;     // |t| - |t_true| in percent of |t_true|: negative when too near
   double elevation_axis_deg = 0;   // between the estimated and the true y axis of the object, degrees
+  double pitch_deg = 0;            // of that, about the object's own x axis, signed; see OrientationError
+  double roll_deg = 0;             // of that, about the object's own z axis, signed
 };
 
 // Azimuth as geometry/viewpoint.h defines it, each seen along its own ray.

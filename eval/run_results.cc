@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "eval/csv_pose.h"
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/run_folder.h"
@@ -33,18 +34,12 @@ void ReadSummary(const std::filesystem::path& file, RunResults& run) {
   }
 }
 
-std::optional<Eigen::Isometry3d> ReadPose(const CsvRow& row) {
+std::optional<Eigen::Isometry3d> ReadPoseIfAny(const CsvRow& row) {
   const auto empty =
       std::count_if(kPose.begin(), kPose.end(), [&](const std::string& c) { return row.IsEmpty(c); });
   if (empty == static_cast<std::ptrdiff_t>(kPose.size())) return std::nullopt;
   if (empty != 0) throw InputError(row.At("the pose is incomplete; give all of tx..qw, or none"));
-  const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
-  if (std::abs(q.norm() - 1) > 1e-3)
-    throw InputError(row.At("the quaternion has not unit length; normalise it"));
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = q.normalized().toRotationMatrix();
-  pose.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
-  return pose;
+  return ReadPose(row);
 }
 
 void ReadObservations(const std::filesystem::path& file, RunResults& run) {
@@ -53,7 +48,8 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
   const CsvTable table(file, columns);
   for (const CsvRow& row : table.rows()) {
     RunObservation observation{
-        row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPose(row), {}};
+        row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPoseIfAny(row), {}, ""};
+    if (table.HasColumn("object")) observation.object = row.Text("object");
     const Key key = KeyOf(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));

@@ -41,11 +41,6 @@ bool IsBeside(const Eigen::Vector2d& point, const Segment& segment, double dista
   return t >= 0 && t <= 1 && std::abs(SignedDistanceToLine(segment, point)) <= distance;
 }
 
-Eigen::Matrix3d TurnAboutY(int symmetry_order, int step) {
-  return Eigen::AngleAxisd(2 * std::numbers::pi * step / symmetry_order, Eigen::Vector3d::UnitY())
-      .toRotationMatrix();
-}
-
 }  // namespace
 
 std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& spec,
@@ -88,6 +83,11 @@ bool LiesOnEdge(const Segment& segment, const VisibleEdge& edge, const EdgeToler
   const Eigen::Vector2d along = (edge.line.p2 - edge.line.p1).normalized();
   const double s1 = along.dot(segment.p1 - edge.line.p1), s2 = along.dot(segment.p2 - edge.line.p1);
   return std::min(std::max(s1, s2), edge.line.length()) - std::max(std::min(s1, s2), 0.0) >= 1;
+}
+
+Eigen::Matrix3d TurnAboutY(int symmetry_order, int step) {
+  return Eigen::AngleAxisd(2 * std::numbers::pi * step / symmetry_order, Eigen::Vector3d::UnitY())
+      .toRotationMatrix();
 }
 
 std::vector<int> SymmetricCounterparts(const Wireframe& wireframe, int symmetry_order, int step) {

@@ -43,6 +43,9 @@ double CoveredLength(const VisibleEdge& edge, const std::vector<Segment>& segmen
 // are only an outline.
 bool LiesOnEdge(const Segment& segment, const VisibleEdge& edge, const EdgeTolerance& tolerance);
 
+// The `step`-th of `symmetry_order` equal parts of a turn about y.
+Eigen::Matrix3d TurnAboutY(int symmetry_order, int step);
+
 // For each edge, the one that stands where it would come to stand after turning the object about y by the
 // `step`-th of `symmetry_order` equal parts of a turn: a table turned by 180 degrees has its top_rear where
 // top_front was.

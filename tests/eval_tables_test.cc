@@ -2,20 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "eval/evaluation_tables.h"
+#include "support/table_cells.h"
 #include "support/true_world.h"
 
 namespace armature {
 namespace {
 
+using testing::CellText;
 using testing::SameName;
 using testing::TrueWorld;
 using testing::Unchanged;
-
-std::string CellText(const Table& table, size_t row, const std::string& column) {
-  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
-  if (found == table.columns.end()) return "no such column";
-  return table.rows.at(row).at(static_cast<size_t>(found - table.columns.begin())).text;
-}
 
 TEST(EvalTables, PerfectRun) {
   const TrueWorld world;

@@ -74,6 +74,18 @@ void RunWriter::WriteTrajectories(const std::vector<TimedPose>& trajectory,
   WriteTumTrajectory(File("odometry_scaled.txt"), odometry_scaled);
 }
 
+void RunWriter::WriteObjects(const std::string& file, const std::vector<MapObject>& objects) {
+  std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
+  for (const MapObject& object : objects) {
+    const Eigen::Vector3d size = BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients)) +
+                                 Eigen::Vector3d::Constant(2 * object.model->spec.padding);
+    text += fmt::format("{},{},,{},{},{},{},{},{}\n", object.id, object.model->spec.name,
+                        PoseFields(object.T_world_object), Fixed(size.x(), 6), Fixed(size.y(), 6),
+                        Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
+  }
+  WriteFile(File(file), text);
+}
+
 void RunWriter::AddFrame(const FrameResult& frame) {
   for (size_t index = 0; index < frame.observations.size(); ++index) {
     WriteObservation(frame.timestamp, index, frame.observations[index]);

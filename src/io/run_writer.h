@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mapping/object_map.h"
 #include "category/category_model.h"
 #include "io/run_folder.h"
 #include "io/run_summary.h"
@@ -28,6 +29,7 @@ class RunWriter {
   // trajectory.txt (T_world_camera) and odometry_scaled.txt (the odometry alone, same frame and scale).
   void WriteTrajectories(const std::vector<TimedPose>& trajectory,
                          const std::vector<TimedPose>& odometry_scaled);
+  void WriteObjects(const std::string& file, const std::vector<MapObject>& objects);
   // Rows of observations.csv, associations.csv and timings.csv.
   void AddFrame(const FrameResult& frame);
   // An image that could not be read: it has no rows and is listed in the summary.

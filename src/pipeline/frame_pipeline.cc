@@ -79,7 +79,7 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
   }
   const StageClock clock(result.times.mapping);
   LearnUp(result, estimations);
-  LearnObjects(input, views, tracks, estimations);
+  LearnObjects(input, result, views, tracks, estimations);
   return result;
 }
 
@@ -128,18 +128,35 @@ std::vector<ObjectEstimation> FramePipeline::EstimateObjects(const FrameInput& i
   return estimations;
 }
 
-void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+void FramePipeline::LearnObjects(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
                                  const std::vector<int>& tracks,
                                  const std::vector<ObjectEstimation>& estimations) {
+  MapFrame frame;
+  frame.timestamp = input.timestamp;
+  frame.up_camera = result.up_camera;
+  frame.up_sigma = result.up_sigma;
   for (size_t i = 0; i < views.size(); ++i) {
+    frame.observations.push_back({views[i], estimations[i].sides, -1, estimations[i].measured.estimate, estimations[i].evidence});
+    frame.observations.back().view.memory.reset();
+    frame.observations.back().view.occluders.clear();
     const ObjectEstimate& estimate = estimations[i].estimate;
     if (estimate.status != EstimateStatus::kOk) continue;
     if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
     floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
     if (!Remembers(input)) continue;
-    tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
+    frame.observations.back().track =
+        tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
+  }
+  if (input.T_odom_camera) {
+    frame.T_odom_camera = *input.T_odom_camera;
+    map_frames_.push_back(std::move(frame));
   }
   if (Remembers(input)) tracks_.Update(input.timestamp);
+}
+
+std::optional<Map> FramePipeline::SolveMap(const MappingOptions& o) const {
+  if (map_frames_.empty()) return std::nullopt;
+  return armature::SolveMap(map_frames_, tracks_.Scale().value_or(1), options_.association.box, options_.resection, o);
 }
 
 void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {

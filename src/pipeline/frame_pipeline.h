@@ -37,6 +37,9 @@ class FramePipeline {
   // Metres per unit of odometry as the objects seen so far tell; none before they do.
   std::optional<double> OdometryScale() const { return tracks_.Scale(); }
 
+  // The map of all frames so far; none without odometry.
+  std::optional<Map> SolveMap(const MappingOptions& o) const;
+
  private:
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
@@ -51,7 +54,7 @@ class FramePipeline {
   // Large furniture first: what is found hides what is behind it.
   std::vector<ObjectEstimation> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
                                                 StageTimes& times) const;
-  void LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+  void LearnObjects(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
                     const std::vector<int>& tracks, const std::vector<ObjectEstimation>& estimations);
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
@@ -64,6 +67,7 @@ class FramePipeline {
   UpEstimator up_estimator_;
   FloorHeight floor_;
   ObjectTracks tracks_;
+  std::vector<MapFrame> map_frames_;
   std::optional<Eigen::Isometry3d> last_T_odom_camera_;
 };
 

@@ -188,8 +188,8 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
   return matches.empty() ? 0 : std::sqrt(sum / static_cast<double>(matches.size()));
 }
 
-Measurement Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
-                    const ResectionOptions& resection) {
+void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
+             const ResectionOptions& resection, ObjectEstimation& result) {
   ObjectView alone = view;
   alone.memory.reset();
   alone.floor.reset();
@@ -204,7 +204,9 @@ Measurement Measure(const ObjectView& view, const Candidate& best, const Associa
     optimum = resected.estimate;
   }
   Project(alone, optimum, sides, projected);
-  return MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
+  result.measured =
+      MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
+  result.evidence = EvidenceAt(alone, sides, best.matches, projected, optimum, association.box, resection);
 }
 
 }  // namespace
@@ -225,8 +227,9 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   const StageClock clock(times.optimization_ms);
   ProjectedWireframe projected;
   Project(view, best->estimate, best->hypothesis.sides, projected);
-  result.measured = Measure(view, *best, association, resection);
+  Measure(view, *best, association, resection, result);
   result.initial = best->hypothesis.start;
+  result.sides = best->hypothesis.sides;
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;
   result.estimate.status = Judge(view, *best, projected, association);

@@ -43,7 +43,9 @@ struct ObjectEstimation {
   // The same matches without what earlier frames said (memory, floor): what this image alone measures, to
   // learn from. Learning from the estimate would count the memory twice.
   Measurement measured;
-  PoseAndShape initial;  // the winning hypothesis before resection
+  ImageEvidence evidence;  // the same again without up and shape statistics, about measured.estimate
+  PoseAndShape initial;    // the winning hypothesis before resection
+  BoxSides sides{};        // of the box, as the winning hypothesis takes them
 };
 
 ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,

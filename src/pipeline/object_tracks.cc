@@ -142,10 +142,11 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
   return memory;
 }
 
-void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
+int ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
                          const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
   if (index < 0) {
     tracks_.push_back(NewTrack(*view.model));
+    tracks_.back().id = started_++;
     index = static_cast<int>(tracks_.size()) - 1;
   }
   Track& track = tracks_[static_cast<size_t>(index)];
@@ -154,6 +155,7 @@ void ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
   Vote(track, view, estimation, T_odom_camera);
   track.last_seen = timestamp;
   ++track.observations;
+  return track.id;
 }
 
 void ObjectTracks::Accumulate(Track& track, const ObjectEstimation& estimation,

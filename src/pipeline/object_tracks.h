@@ -58,8 +58,9 @@ class ObjectTracks {
   std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
                                      const Eigen::Vector3d& up_camera) const;
 
-  // Adds an accepted estimate to its track, or starts one (track -1).
-  void Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
+  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no other
+  // track has or had.
+  int Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
              const Eigen::Isometry3d& T_odom_camera);
 
   // Metres per unit of odometry as the objects tell, once its standard deviation is below a tenth of it.
@@ -71,6 +72,7 @@ class ObjectTracks {
  private:
   // Unknowns of a track's normal equations: q (3), yaw, lambda (B), u.
   struct Track {
+    int id = 0;
     const CategoryModel* model = nullptr;
     int observations = 0;
     double last_seen = 0;        // seconds
@@ -97,6 +99,7 @@ class ObjectTracks {
 
   TrackOptions options_;
   std::vector<Track> tracks_;
+  int started_ = 0;  // tracks so far
   double units_ = 1;  // u: units of odometry a metre
   double log_units_ = 0;
   double units_information_ = 0.1;  // of log u

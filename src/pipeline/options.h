@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lines/line_detector.h"
+#include "mapping/object_map.h"
 #include "pipeline/floor_height.h"
 #include "pipeline/object_estimator.h"
 #include "pipeline/object_tracks.h"
@@ -20,6 +21,7 @@ struct Options {
   TrackOptions tracks;
   AssociationOptions association;
   ResectionOptions resection;
+  MappingOptions mapping;
 };
 
 // One row an option; the rows point into `options`.

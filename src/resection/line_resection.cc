@@ -185,4 +185,24 @@ Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
   return {optimum, Covariance(problem, optimum.coefficients), problem.shape_weight * problem.shape_weight};
 }
 
+ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                         const ProjectedWireframe& projected, const PoseAndShape& at,
+                         const BoxOptions& box_options, const ResectionOptions& options) {
+  ResectionProblem problem;
+  problem.camera = view.camera;
+  problem.model = view.model;
+  problem.R0 = at.T_camera_object.linear();
+  problem.T0 = at.T_camera_object.translation();
+  problem.normal_term = NormalTerm::kNone;
+  problem.shape_weight = 0;
+  AddMatches(matches, projected, options, problem);
+  AddBox(view, sides, projected, box_options, options, problem);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
+  x.tail(problem.Modes()) = at.coefficients;
+  Eigen::VectorXd residuals(problem.NumResiduals());
+  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
+  problem(x.data(), residuals.data(), J.data());
+  return {J.transpose() * J, J.transpose() * residuals};
+}
+
 }  // namespace armature

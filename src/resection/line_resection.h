@@ -60,4 +60,15 @@ Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
                           const PoseAndShape& optimum, const BoxOptions& box_options,
                           const ResectionOptions& options);
 
+// The cost of this image's lines and box alone (no up, floor, memory or shape statistics) about a pose and
+// shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
+// coefficients), 6 + B numbers, the rotation and translation as of ObjectEstimate::covariance.
+struct ImageEvidence {
+  Eigen::MatrixXd information;  // (6+B) x (6+B), of Gauss and Newton: positive semi-definite
+  Eigen::VectorXd gradient;     // 6+B
+};
+ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                         const ProjectedWireframe& projected, const PoseAndShape& at,
+                         const BoxOptions& box_options, const ResectionOptions& options);
+
 }  // namespace armature

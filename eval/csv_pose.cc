@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/csv_pose.h"
+
+#include <cmath>
+
+#include "io/errors.h"
+
+namespace armature {
+
+Eigen::Isometry3d ReadPose(const CsvRow& row) {
+  const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
+  if (std::abs(q.norm() - 1) > 1e-3)
+    throw InputError(row.At("the quaternion has not unit length; normalise it"));
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = q.normalized().toRotationMatrix();
+  pose.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
+  return pose;
+}
+
+}  // namespace armature

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bringing an estimated trajectory into the frame of the true one before they are compared.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "io/trajectory.h"
+
+namespace armature {
+
+// x_truth = scale * R * x_estimate + t.
+struct Similarity {
+  double scale = 1;                                 // metres per unit of the estimate
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  // a rotation
+  Eigen::Vector3d t{0, 0, 0};                       // metres
+  // The pairs do not determine all that the alignment asks for; see Align for what stands in.
+  bool is_degenerate = false;
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return scale * (R * point) + t; }
+  // The pose of x in the true world: its origin moved as a point, its axes turned, lengths in its own frame
+  // kept.
+  Eigen::Isometry3d Apply(const Eigen::Isometry3d& T_world_x) const;
+};
+
+struct PosePair {
+  double timestamp = 0;                                        // seconds, the estimate's
+  Eigen::Isometry3d estimate = Eigen::Isometry3d::Identity();  // T_world_camera, estimated world and unit
+  Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();     // T_world_camera, metres
+};
+
+// What brings the estimate to the truth (in brackets: evo's options for the same).
+enum class AlignmentKind {
+  kNone,       // nothing: the frames have to agree
+  kFirstPose,  // the rigid motion that puts the first estimated pose on the true one (--align_origin)
+  kSe3,        // the rigid motion of least squared distances of the positions (-a)
+  kSim3,       // the similarity of least squared distances of the positions (-a -s)
+  kScale,      // sim3's scale, then the first pose on the true one (-s --align_origin)
+  kEndPoints,  // scale: the true distance from the first to the last position over the estimated one, as the
+               // paper does; then the first pose on the true one
+  kFirstN      // se3 of the first N pairs alone (-a --n_to_align N)
+};
+
+// none, first_pose, se3, sim3, scale, end_points, first_n; in the order of the enumeration.
+const std::vector<std::string>& AlignmentNames();
+std::string AlignmentName(AlignmentKind kind);
+AlignmentKind AlignmentFromName(const std::string& name);  // throws InputError for another name
+
+// Pairs by growing stamps. `first_n`: of kFirstN alone, at least 1; more than there are means all. Always
+// finite; where the pairs leave something open, is_degenerate is set and
+//   no pair: the identity;
+//   se3, sim3, scale, first_n, and one of the trajectories stays where it is (one pair, or turning in place):
+//     scale 1, the rotation that brings the cameras' own rotations nearest to the true ones, the mean
+//     position on the true mean;
+//   the same, positions on a line: of the rotations that bring line to line, the one that brings the cameras'
+//     rotations nearest to the true ones;
+//   end_points, and the first and last position of one of the trajectories are equal: scale 1.
+Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int first_n);
+
+// Poses of both at most the tolerance apart in time, each in one pair at most: the closest pair first, then
+// the closest of what is left, of equally close ones the earliest. By growing stamps of the estimate. Both by
+// growing stamps, repeated ones allowed.
+std::vector<PosePair> PairPoses(const std::vector<TimedPose>& estimate, const std::vector<TimedPose>& truth,
+                                double tolerance_seconds);
+
+}  // namespace armature

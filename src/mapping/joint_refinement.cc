@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/joint_refinement.h"
+
+#include <optional>
+#include <utility>
+
+#include "association/matching.h"
+#include "geometry/rotation.h"
+
+namespace armature {
+namespace {
+
+// An object of the graph as one camera sees it.
+struct SeenObject {
+  PoseAndShape at;
+  Wireframe wireframe;
+};
+
+SeenObject SeenFrom(const Eigen::Isometry3d& T_world_camera, const GraphObject& object) {
+  return {{T_world_camera.inverse() * object.T_world_object, object.coefficients},
+          WireframeFromCoefficients(*object.model, object.coefficients)};
+}
+
+// What the other objects of the map hide, whether they were detected in the image or not.
+std::vector<ImageFace> FacesOfOthers(const MapGraph& graph, const std::vector<SeenObject>& seen, int object,
+                                     const Camera& camera) {
+  std::vector<ImageFace> faces;
+  for (size_t other = 0; other < seen.size(); ++other) {
+    if (static_cast<int>(other) == object) continue;
+    for (ImageFace& face : ProjectFaces(camera, graph.objects[other].model->spec, seen[other].wireframe,
+                                        seen[other].at.T_camera_object)) {
+      faces.push_back(std::move(face));
+    }
+  }
+  return faces;
+}
+
+// Which sides of the box the object can be taken to end at, given where the map has it: those that the image's border
+// does not cut and beyond which it does not go on.
+BoxSides SidesSeen(const ObjectView& view, const SeenObject& object, const BoxOptions& options) {
+  const Box& box = view.detection.box;
+  BoxSides sides = SidesAtImageBorder(box, *view.camera, options.cut_tolerance);
+  ProjectedWireframe projected;
+  ProjectEdges(*view.camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5}, projected);
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  const auto [sigma_x, sigma_y] = SideSigmas(box, options);
+  const std::array<double, 4> beyond = {box.left() - extremes[0].pixel, box.top() - extremes[1].pixel, extremes[2].pixel - box.right(), extremes[3].pixel - box.bottom()};
+  for (size_t side = 0; side < 4; ++side) {
+    if (extremes[side].edge >= 0 && beyond[side] > 2 * (side % 2 == 0 ? sigma_x : sigma_y)) sides[side] = BoxSide::kOpen;
+  }
+  return sides;
+}
+
+std::optional<ObjectFactor> FactorOf(const MapObservation& observation, const SeenObject& object,
+                                     const std::vector<ImageFace>& occluders, const MatchGate& gate,
+                                     const BoxOptions& box, const ResectionOptions& resection,
+                                     const RefinementOptions& options) {
+  const ObjectView& view = observation.view;
+  const BoxSides sides = getenv("OLDSIDES") ? observation.sides : SidesSeen(view, object, box);
+  ProjectedWireframe projected;
+  ProjectWireframe(*view.camera, view.model->spec, object.wireframe, object.at.T_camera_object,
+                   ClipBox(view.detection.box, sides, *view.camera), occluders, projected);
+  const std::vector<EdgeMatch> matches = MatchSegments(projected, view.segments, gate).matches;
+  if (MatchedEdges(matches) < options.min_edges) return std::nullopt;
+  const ImageEvidence evidence =
+      EvidenceAt(view, sides, matches, projected, object.at, box, resection);
+  return MakeObjectFactor(evidence, object.at, 0, options.noise);
+}
+
+}  // namespace
+
+void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, double gate_pixels,
+                 const BoxOptions& box, const ResectionOptions& resection, const RefinementOptions& options,
+                 MapGraph& graph) {
+  graph.observations.clear();
+  const MatchGate gate{gate_pixels, options.gate_angle_deg * kDegree};
+  for (size_t i = 0; i < frames.size(); ++i) {
+    std::vector<SeenObject> seen;
+    for (const GraphObject& object : graph.objects) seen.push_back(SeenFrom(graph.T_world_camera[i], object));
+    for (size_t j = 0; j < frames[i].observations.size(); ++j) {
+      if (phi[i][j] < 0) continue;
+      const MapObservation& observation = frames[i].observations[j];
+      const std::vector<ImageFace> occluders =
+          FacesOfOthers(graph, seen, phi[i][j], *observation.view.camera);
+      std::optional<ObjectFactor> factor =
+          FactorOf(observation, seen[static_cast<size_t>(phi[i][j])], occluders, gate, box, resection, options);
+      if (!factor) continue;
+      factor->camera = static_cast<int>(i);
+      factor->object = phi[i][j];
+      graph.observations.push_back(std::move(*factor));
+    }
+  }
+}
+
+}  // namespace armature

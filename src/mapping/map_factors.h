@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The residuals of the map's factor graph for Ceres, with their derivatives.
+//
+// A pose is a block of 7 numbers: translation, then quaternion (x, y, z, w). All derivatives are by the step
+// d = (rotation, translation) of X Exp(d), written into the block's first six columns: PoseManifold's plus
+// has the derivative (I; 0).
+#pragma once
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Geometry>
+
+#include "mapping/map_graph.h"
+
+namespace armature {
+
+using PoseBlock = Eigen::Matrix<double, 7, 1>;
+PoseBlock ToBlock(const Eigen::Isometry3d& pose);
+Eigen::Isometry3d FromBlock(const double* block);
+
+class PoseManifold : public ceres::Manifold {
+ public:
+  int AmbientSize() const override { return 7; }
+  int TangentSize() const override { return 6; }
+  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
+  bool PlusJacobian(const double* x, double* jacobian) const override;
+  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
+  bool MinusJacobian(const double* x, double* jacobian) const override;
+};
+
+// Blocks: camera i, camera j, log scale at the knot, at the next. 6 residuals.
+class OdometryCost : public ceres::SizedCostFunction<6, 7, 7, 1, 1> {
+ public:
+  explicit OdometryCost(const OdometryFactor& factor) : factor_(factor) {}
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  OdometryFactor factor_;
+};
+
+// Blocks: camera, object, coefficients. 6 + B residuals.
+class ObjectCost : public ceres::CostFunction {
+ public:
+  explicit ObjectCost(const ObjectFactor& factor);
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  const ObjectFactor& factor_;  // outlives the problem
+};
+
+// The object's y axis is up. Blocks: object, up (3). 3 residuals: (R e_y - up) / sigma.
+class UprightCost : public ceres::SizedCostFunction<3, 7, 3> {
+ public:
+  explicit UprightCost(double sigma) : sigma_(sigma) {}
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  double sigma_;  // radians
+};
+
+// The object stands on the floor. Blocks: object, coefficients, up (3), floor's height along up. 1 residual:
+// (up . X - height) / sigma, X the object's lowest point.
+class FloorCost : public ceres::CostFunction {
+ public:
+  FloorCost(const GraphObject& object, double sigma);
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  Eigen::Vector3d point_;      // mean shape, object frame
+  Eigen::Matrix3Xd by_shape_;  // 3 x B
+  double sigma_;               // metres
+};
+
+// (x2 - x1) / sigma: a step of a random walk.
+class RandomWalkCost : public ceres::SizedCostFunction<1, 1, 1> {
+ public:
+  explicit RandomWalkCost(double sigma) : sigma_(sigma) {}
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  double sigma_;
+};
+
+}  // namespace armature

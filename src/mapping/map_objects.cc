@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+
+namespace armature {
+namespace {
+
+constexpr double kFlipped = 50 * kDegree;  // views turned by more than this do not see the same front
+
+struct PlacedView {
+  int camera = 0;
+  const MapObservation* observation = nullptr;
+  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();
+};
+
+// Views that agree within 0.2 m and 15 degrees are alike; beyond twice that it is all the same.
+double Unlikeness(const PlacedView& a, const PlacedView& b, int symmetry_order) {
+  const double apart = (a.T_world_object.translation() - b.T_world_object.translation()).norm() / 0.2;
+  const double yaw = YawBetween(a.T_world_object, b.T_world_object);
+  const double turned = AzimuthDifference(yaw, 0, symmetry_order) / (15 * kDegree);
+  return std::min(apart * apart, 4.0) + std::min(turned * turned, 4.0);
+}
+
+// The view that most others agree with; of many views, about a hundred are asked.
+const PlacedView& Medoid(const std::vector<PlacedView>& views) {
+  const int symmetry_order = views.front().observation->view.model->spec.symmetry_order;
+  const size_t step = 1 + views.size() / 100;
+  size_t medoid = 0;
+  double least = 1e18;
+  for (size_t a = 0; a < views.size(); a += step) {
+    double sum = 0;
+    for (size_t b = 0; b < views.size(); b += step) sum += Unlikeness(views[a], views[b], symmetry_order);
+    if (sum < least) {
+      least = sum;
+      medoid = a;
+    }
+  }
+  return views[medoid];
+}
+
+ObjectFactor FactorOfView(const PlacedView& view, const GraphObject& object, const FactorNoise& noise) {
+  const double yaw = YawBetween(object.T_world_object, view.T_world_object);
+  const double turned = AzimuthDifference(yaw, 0, object.model->spec.symmetry_order);
+  ObjectFactor factor =
+      MakeObjectFactor(view.observation->evidence, view.observation->measured, turned - yaw, noise);
+  if (std::abs(turned) > kFlipped) ForgetRotation(factor);
+  factor.camera = view.camera;
+  return factor;
+}
+
+}  // namespace
+
+double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b) {
+  const Eigen::Matrix3d R_a_b = T_world_a.linear().transpose() * T_world_b.linear();
+  return std::atan2(R_a_b(0, 2), R_a_b(2, 2));
+}
+
+MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, const OdometryOptions& options) {
+  MapGraph graph;
+  const double start = frames.front().timestamp;
+  const double seconds = frames.back().timestamp - start;
+  const int knots = 2 + static_cast<int>(seconds / options.knot_seconds);
+  graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
+  graph.expected_log_scale = std::log(scale);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    Eigen::Isometry3d pose = frames[i].T_odom_camera;
+    pose.translation() *= scale;
+    graph.T_world_camera.push_back(pose);
+    if (i == 0) continue;
+    OdometryFactor step;
+    step.from = static_cast<int>(i) - 1;
+    step.to = static_cast<int>(i);
+    step.T_from_to = frames[i - 1].T_odom_camera.inverse() * frames[i].T_odom_camera;
+    step.rotation_sigma = options.rotation_sigma_deg * kDegree;
+    step.translation_sigma = options.translation_sigma * scale * step.T_from_to.translation().norm() + options.translation_floor;
+    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / options.knot_seconds;
+    step.knot = std::clamp(static_cast<int>(at), 0, knots - 2);
+    step.share = at - step.knot;
+    graph.odometry.push_back(step);
+  }
+  const MapFrame& last = frames.back();  // what it knows of up, all frames before have told
+  graph.up_world = last.T_odom_camera.linear() * last.up_camera;
+  graph.up_sigma = std::max(last.up_sigma, options.up_sigma_deg * kDegree);
+  return graph;
+}
+
+ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double recent_seconds, int min_observations) {
+  struct Piece {
+    double last_seen = 0;
+    std::vector<std::pair<size_t, size_t>> members;  // frame, observation
+  };
+  std::vector<Piece> pieces;
+  std::map<int, size_t> piece_of_track;
+  ObjectOfObservation phi;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    phi.emplace_back(frames[i].observations.size(), -1);
+    for (size_t j = 0; j < frames[i].observations.size(); ++j) {
+      const int track = frames[i].observations[j].track;
+      if (track < 0) continue;
+      const auto found = piece_of_track.find(track);
+      if (found == piece_of_track.end() || frames[i].timestamp - pieces[found->second].last_seen > recent_seconds) {
+        piece_of_track[track] = pieces.size();
+        pieces.emplace_back();
+      }
+      Piece& piece = pieces[piece_of_track[track]];
+      piece.last_seen = frames[i].timestamp;
+      piece.members.emplace_back(i, j);
+    }
+  }
+  int objects = 0;
+  for (const Piece& piece : pieces) {
+    if (static_cast<int>(piece.members.size()) < min_observations) continue;
+    for (const auto& [i, j] : piece.members) phi[i][j] = objects;
+    ++objects;
+  }
+  return phi;
+}
+
+void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise, MapGraph& graph) {
+  std::map<int, std::vector<PlacedView>> views;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    for (size_t j = 0; j < frames[i].observations.size(); ++j) {
+      const MapObservation& observation = frames[i].observations[j];
+      if (phi[i][j] < 0) continue;
+      views[phi[i][j]].push_back({static_cast<int>(i), &observation,
+                                  graph.T_world_camera[i] * observation.measured.T_camera_object});
+    }
+  }
+  for (const auto& [number, of_object] : views) {
+    const PlacedView& medoid = Medoid(of_object);
+    graph.objects.push_back({medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
+    for (const PlacedView& view : of_object) {
+      graph.observations.push_back(FactorOfView(view, graph.objects.back(), noise));
+      graph.observations.back().object = number;
+    }
+  }
+}
+
+}  // namespace armature

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/map_solver.h"
+
+#include <ceres/ceres.h>
+#include <ceres/normal_prior.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "geometry/rotation.h"
+#include "mapping/map_factors.h"
+
+namespace armature {
+namespace {
+
+// The unknowns as Ceres sees them.
+struct Blocks {
+  std::vector<PoseBlock> cameras, objects;
+  std::vector<Eigen::VectorXd> shapes;
+  std::vector<double> log_scale;
+  Eigen::Vector3d up;
+  double floor = 0;  // metres, along up
+
+  explicit Blocks(const MapGraph& graph) : log_scale(graph.log_scale), up(graph.up_world) {
+    for (const Eigen::Isometry3d& pose : graph.T_world_camera) cameras.push_back(ToBlock(pose));
+    for (const GraphObject& object : graph.objects) {
+      objects.push_back(ToBlock(object.T_world_object));
+      shapes.push_back(object.coefficients);
+    }
+  }
+};
+
+void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                 ceres::Problem& problem) {
+  for (const OdometryFactor& factor : graph.odometry) {
+    const auto knot = static_cast<size_t>(factor.knot);
+    problem.AddResidualBlock(new OdometryCost(factor), nullptr,
+                             blocks.cameras[static_cast<size_t>(factor.from)].data(),
+                             blocks.cameras[static_cast<size_t>(factor.to)].data(), &blocks.log_scale[knot],
+                             &blocks.log_scale[knot + 1]);
+  }
+  for (PoseBlock& camera : blocks.cameras) problem.AddParameterBlock(camera.data(), 7, new PoseManifold);
+  problem.SetParameterBlockConstant(blocks.cameras.front().data());
+  for (double& value : blocks.log_scale) {
+    problem.AddParameterBlock(&value, 1);
+    if (graph.scale_is_known) problem.SetParameterBlockConstant(&value);
+  }
+  for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
+    // Together, the knots' priors weigh as one.
+    const double sigma = options.scale_sigma * std::sqrt(static_cast<double>(blocks.log_scale.size()));
+    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(graph.expected_log_scale);
+    problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
+    if (k > 0) {
+      problem.AddResidualBlock(new RandomWalkCost(options.scale_drift_sigma), nullptr,
+                               &blocks.log_scale[k - 1], &blocks.log_scale[k]);
+    }
+  }
+}
+
+void AddObjects(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                ceres::Problem& problem) {
+  const Eigen::Matrix3d up_weight = Eigen::Matrix3d::Identity() / graph.up_sigma;
+  problem.AddParameterBlock(blocks.up.data(), 3, new ceres::SphereManifold<3>);
+  problem.AddResidualBlock(new ceres::NormalPrior(up_weight, graph.up_world), nullptr, blocks.up.data());
+  for (size_t o = 0; o < blocks.objects.size(); ++o) {
+    double *pose = blocks.objects[o].data(), *shape = blocks.shapes[o].data();
+    const auto modes = blocks.shapes[o].size();
+    problem.AddParameterBlock(pose, 7, new PoseManifold);
+    const Eigen::MatrixXd shape_weight = options.shape_weight * Eigen::MatrixXd::Identity(modes, modes);
+    problem.AddResidualBlock(new ceres::NormalPrior(shape_weight, Eigen::VectorXd::Zero(modes)), nullptr,
+                             shape);
+    if (options.upright_sigma_deg > 0) {
+      problem.AddResidualBlock(new UprightCost(options.upright_sigma_deg * kDegree), nullptr, pose,
+                               blocks.up.data());
+    }
+    if (options.floor_sigma > 0 && graph.objects[o].model->spec.stands_on_floor) {
+      problem.AddResidualBlock(new FloorCost(graph.objects[o], options.floor_sigma), nullptr, pose, shape,
+                               blocks.up.data(), &blocks.floor);
+    }
+  }
+}
+
+void AddObservations(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                     ceres::Problem& problem) {
+  for (const ObjectFactor& factor : graph.observations) {
+    const auto object = static_cast<size_t>(factor.object);
+    const double scale = options.loss_scale * std::sqrt(static_cast<double>(factor.b.size()));
+    problem.AddResidualBlock(new ObjectCost(factor), new ceres::CauchyLoss(scale),
+                             blocks.cameras[static_cast<size_t>(factor.camera)].data(),
+                             blocks.objects[object].data(), blocks.shapes[object].data());
+  }
+}
+
+void Store(const Blocks& blocks, MapGraph& graph) {
+  for (size_t i = 0; i < blocks.cameras.size(); ++i) {
+    graph.T_world_camera[i] = FromBlock(blocks.cameras[i].data());
+  }
+  for (size_t o = 0; o < blocks.objects.size(); ++o) {
+    graph.objects[o].T_world_object = FromBlock(blocks.objects[o].data());
+    graph.objects[o].coefficients = blocks.shapes[o];
+  }
+  graph.log_scale = blocks.log_scale;
+  graph.up_world = blocks.up;
+}
+
+ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  solver.max_num_iterations = options.max_iterations;
+  solver.initial_trust_region_radius = 1e6;
+  solver.function_tolerance = 1e-5;
+  solver.num_threads = 1;
+  solver.logging_type = ceres::SILENT;
+  return solver;
+}
+
+}  // namespace
+
+MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
+  Blocks blocks(graph);
+  ceres::Problem problem;
+  AddOdometry(graph, options, blocks, problem);
+  AddObjects(graph, options, blocks, problem);
+  AddObservations(graph, options, blocks, problem);
+  ceres::Solver::Summary summary;
+  ceres::Solve(SolverOptions(options), &problem, &summary);
+  if (summary.IsSolutionUsable()) Store(blocks, graph);
+  return {summary.initial_cost, summary.final_cost,
+          summary.num_successful_steps + summary.num_unsuccessful_steps};
+}
+
+}  // namespace armature

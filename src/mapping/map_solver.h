@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The optimum of the map's factor graph (paper 3.5), with Ceres.
+#pragma once
+
+#include "mapping/map_graph.h"
+
+namespace armature {
+
+struct MapSolverOptions {
+  int max_iterations = 20;
+  double loss_scale = 3;            // of the Cauchy loss on an object factor, per square root of its 6 + B rows
+  double shape_weight = 1;          // multiplies the coefficients in the category's shape prior
+  double upright_sigma_deg = 1;     // degrees: of an object's y axis about up; 0: no such factor
+  double floor_sigma = 0.02;        // metres: of the floor below an object that stands on it; 0: none
+  double scale_sigma = 0.7;         // of the scale's logarithm about its initial value
+  double scale_drift_sigma = 0.02;  // of its change from knot to knot
+};
+
+struct MapSolution {
+  double initial_cost = 0, final_cost = 0;  // half the squared norm
+  int iterations = 0;
+};
+
+// Improves the graph's unknowns where they stand. One thread: same graph, same bytes.
+MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options);
+
+}  // namespace armature

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/object_association.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "association/box_constraints.h"
+#include "geometry/assignment.h"
+#include "geometry/oriented_box.h"
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+#include "mapping/map_objects.h"
+#include "mapping/object_factors.h"
+
+namespace armature {
+namespace {
+
+constexpr size_t kAskedFactors = 25;  // of an object, when another is compared with it
+
+// The factors and frames of each object.
+struct Seen {
+  std::vector<const ObjectFactor*> factors;
+  std::set<int> cameras;
+};
+
+std::vector<Seen> SeenOf(const MapGraph& graph) {
+  std::vector<Seen> seen(graph.objects.size());
+  for (const ObjectFactor& factor : graph.observations) {
+    seen[static_cast<size_t>(factor.object)].factors.push_back(&factor);
+    seen[static_cast<size_t>(factor.object)].cameras.insert(factor.camera);
+  }
+  return seen;
+}
+
+int Together(const Seen& a, const Seen& b) {
+  int count = 0;
+  for (const int camera : a.cameras) count += b.cameras.count(camera) ? 1 : 0;
+  return count;
+}
+
+OrientedBox BoxOf(const GraphObject& object) {
+  return {object.T_world_object, BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
+}
+
+// Travelled length in metres at each camera; turning counts as well, a metre for a radian.
+std::vector<double> Travelled(const MapGraph& graph) {
+  std::vector<double> travelled(1, 0.0);
+  for (size_t i = 1; i < graph.T_world_camera.size(); ++i) {
+    const Eigen::Isometry3d step = graph.T_world_camera[i - 1].inverse() * graph.T_world_camera[i];
+    travelled.push_back(travelled.back() + step.translation().norm() + Eigen::AngleAxisd(step.linear()).angle());
+  }
+  return travelled;
+}
+
+// The least difference along an axis (travelled metres, seconds) between a view of the one and a view of the
+// other. `axis`: a value a camera, growing.
+double LeastBetween(const Seen& a, const Seen& b, const std::vector<double>& axis) {
+  double least = 1e18;
+  const auto at = [&](int camera) { return axis[static_cast<size_t>(camera)]; };
+  for (const int camera : b.cameras) {
+    const auto next = a.cameras.lower_bound(camera);
+    if (next != a.cameras.end()) least = std::min(least, at(*next) - at(camera));
+    if (next != a.cameras.begin()) least = std::min(least, at(camera) - at(*std::prev(next)));
+  }
+  return least;
+}
+
+std::vector<double> StampsOf(const std::vector<MapFrame>& frames) {
+  std::vector<double> stamps;
+  for (const MapFrame& frame : frames) stamps.push_back(frame.timestamp);
+  return stamps;
+}
+
+// How far the odometry drifts from one object to the other at best: by way of others that tie early frames to late
+// ones, a loop that has been closed shortens the way (Floyd and Warshall).
+Eigen::MatrixXd WaysBetween(const std::vector<Seen>& seen, const std::vector<double>& travelled) {
+  const auto n = static_cast<Eigen::Index>(seen.size());
+  Eigen::MatrixXd way(n, n);
+  for (Eigen::Index a = 0; a < n; ++a) {
+    for (Eigen::Index b = 0; b < n; ++b) {
+      way(a, b) = a == b ? 0 : LeastBetween(seen[static_cast<size_t>(a)], seen[static_cast<size_t>(b)], travelled);
+    }
+  }
+  for (Eigen::Index via = 0; via < n; ++via) {
+    for (Eigen::Index a = 0; a < n; ++a) {
+      for (Eigen::Index b = 0; b < n; ++b) way(a, b) = std::min(way(a, b), way(a, via) + way(via, b));
+    }
+  }
+  return way;
+}
+
+// The median, over the views of b, of the squared Mahalanobis distance per row at which they see a.
+double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, double turn, bool flipped, const DriftNoise& drift) {
+  std::vector<double> distances;
+  const size_t step = 1 + b.factors.size() / kAskedFactors;
+  for (size_t k = 0; k < b.factors.size(); k += step) {
+    ObjectFactor factor = *b.factors[k];
+    if (turn != 0) Turn(turn, factor);
+    if (flipped) ForgetRotation(factor);
+    const Eigen::Isometry3d T_camera_a = graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * a.T_world_object;
+    const Eigen::VectorXd residual = Residual(WithDrift(factor, drift), {T_camera_a, a.coefficients});
+    distances.push_back(residual.squaredNorm() / static_cast<double>(residual.size()));
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+// The box around the object's projection in the image; empty where there is none.
+Box ProjectedBox(const Camera& camera, const GraphObject& object, const Eigen::Isometry3d& T_world_camera) {
+  const Eigen::Isometry3d T_camera_object = T_world_camera.inverse() * object.T_world_object;
+  if (T_camera_object.translation().z() < 0.1) return {};
+  ProjectedWireframe projected;
+  const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
+  ProjectEdges(camera, WireframeFromCoefficients(*object.model, object.coefficients), T_camera_object, image, projected);
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  if (extremes[0].edge < 0) return {};
+  return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel, extremes[3].pixel - extremes[1].pixel};
+}
+
+// First and last stamps at which phi has each object.
+std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<MapFrame>& frames, const ObjectOfObservation& phi) {
+  std::vector<std::pair<double, double>> spans(objects, {1e18, -1e18});
+  for (size_t i = 0; i < frames.size(); ++i) {
+    for (const int object : phi[i]) {
+      if (object < 0) continue;
+      auto& [first, last] = spans[static_cast<size_t>(object)];
+      first = std::min(first, frames[i].timestamp);
+      last = std::max(last, frames[i].timestamp);
+    }
+  }
+  return spans;
+}
+
+}  // namespace
+
+std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames, std::optional<double> seconds_between,
+                             const ObjectAssociationOptions& options) {
+  const std::vector<Seen> seen = SeenOf(graph);
+  const Eigen::MatrixXd ways = WaysBetween(seen, Travelled(graph));
+  const std::vector<double> stamps = StampsOf(frames);
+  std::optional<Join> best;
+  double least = 1e18;
+  for (size_t a = 0; a < seen.size(); ++a) {
+    for (size_t b = 0; b < seen.size(); ++b) {
+      const GraphObject &kept = graph.objects[a], &joined = graph.objects[b];
+      const bool more = seen[a].factors.size() > seen[b].factors.size() || (seen[a].factors.size() == seen[b].factors.size() && a < b);
+      if (a == b || kept.model != joined.model || !more) continue;
+      if (Together(seen[a], seen[b]) > options.together) continue;
+      if (seconds_between && LeastBetween(seen[a], seen[b], stamps) > *seconds_between) continue;
+      const double yaw = YawBetween(kept.T_world_object, joined.T_world_object);
+      const double turned = AzimuthDifference(yaw, 0, kept.model->spec.symmetry_order);
+      const double way = ways(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+      const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
+      const bool flipped = std::abs(turned) > 0.5 * M_PI;
+      const double turn = turned - yaw;
+      const double distance = Distance(graph, kept, seen[b], turn, flipped, drift);
+      const bool overlap = IntersectionOverUnion(BoxOf(kept), BoxOf(joined)) > options.overlap;
+      const double score = overlap ? std::min(distance, options.gate) : distance;
+      if (score <= options.gate && score < least) {
+        least = score;
+        best = Join{static_cast<int>(a), static_cast<int>(b), turn, flipped};
+      }
+    }
+  }
+  return best;
+}
+
+void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi) {
+  const auto renumbered = [&](int object) {
+    if (object == join.joined) object = join.kept;
+    return object > join.joined ? object - 1 : object;
+  };
+  for (ObjectFactor& factor : graph.observations) {
+    if (factor.object == join.joined) {
+      if (join.turn != 0) Turn(join.turn, factor);
+      if (join.flipped) ForgetRotation(factor);
+    }
+    factor.object = renumbered(factor.object);
+  }
+  for (std::vector<int>& of_frame : phi) {
+    for (int& object : of_frame) object = renumbered(object);
+  }
+  graph.objects.erase(graph.objects.begin() + join.joined);
+}
+
+ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames, const ObjectOfObservation& phi,
+                                        std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
+  const std::vector<std::pair<double, double>> spans = Spans(graph.objects.size(), frames, phi);
+  ObjectOfObservation result;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const std::vector<MapObservation>& observations = frames[i].observations;
+    Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(observations.size()), static_cast<Eigen::Index>(graph.objects.size()), kForbidden);
+    for (size_t o = 0; o < graph.objects.size() && !observations.empty(); ++o) {
+      if (seconds_between && (frames[i].timestamp < spans[o].first - *seconds_between || frames[i].timestamp > spans[o].second + *seconds_between)) continue;
+      const Box expected = ProjectedBox(*observations.front().view.camera, graph.objects[o], graph.T_world_camera[i]);
+      for (size_t j = 0; j < observations.size(); ++j) {
+        if (observations[j].view.model != graph.objects[o].model) continue;
+        const Box& box = observations[j].view.detection.box;
+        // What is seen may be only a part of what is expected, so being inside counts too.
+        const double inside = Intersection(expected, box).area() / std::max(box.area(), 1.0);
+        const double overlap = IntersectionOverUnion(expected, box);
+        if (overlap < options.box_overlap && (inside < 0.7 || overlap < 0.1)) continue;
+        costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - overlap - 0.3 * inside;
+      }
+    }
+    result.push_back(Assign(costs));
+  }
+  return result;
+}
+
+}  // namespace armature
