@@ -10,6 +10,7 @@
 
 #include "geometry/rotation.h"
 #include "mapping/map_factors.h"
+#include "mapping/pose_block.h"
 
 namespace armature {
 namespace {
