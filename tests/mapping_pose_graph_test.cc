@@ -5,11 +5,9 @@
 
 #include "io/g2o.h"
 #include "mapping/chordal_initialisation.h"
-#include "mapping/edge_residual.h"
 #include "mapping/free_poses.h"
 #include "mapping/pose_graph.h"
 #include "mapping/spanning_tree.h"
-#include "mapping/square_root_information.h"
 #include "support/shared_data.h"
 #include "support/synthetic_pose_graph.h"
 
@@ -46,77 +44,6 @@ PoseGraph TwoPoses(const std::vector<Eigen::Vector3d>& z, const std::vector<Eige
     graph.edges.push_back(edge);
   }
   return graph;
-}
-
-TEST(SquareRootInformation, IsTheUpperFactorNotTheLower) {
-  std::mt19937 random(1);
-  for (int i = 0; i < 20; ++i) {
-    const Matrix6d omega = RandomInformation(random);
-    const auto S = SquareRootInformation(omega);
-    ASSERT_TRUE(S);
-    EXPECT_TRUE((S->transpose() * *S).isApprox(omega, 1e-12));
-    EXPECT_FALSE((*S * S->transpose()).isApprox(omega, 1e-3));
-  }
-}
-
-TEST(SquareRootInformation, ExistsForASingularMatrix) {
-  std::mt19937 random(1);
-  Matrix6d omega = RandomInformation(random);
-  omega.row(2).setZero();
-  omega.col(2).setZero();
-  const auto S = SquareRootInformation(omega);
-  ASSERT_TRUE(S);
-  EXPECT_TRUE((S->transpose() * *S).isApprox(omega, 1e-12));
-  EXPECT_TRUE(SquareRootInformation(Matrix6d::Zero())->isZero());
-}
-
-TEST(SquareRootInformation, DoesNotExistForIndefiniteOrUnsymmetricMatrices) {
-  Matrix6d omega = Matrix6d::Identity();
-  omega(4, 4) = -1;
-  EXPECT_FALSE(SquareRootInformation(omega));
-  omega(4, 4) = 1;
-  omega(1, 2) = omega(2, 1) = 1.5;
-  EXPECT_FALSE(SquareRootInformation(omega));
-  omega(1, 2) = omega(2, 1) = 0;
-  omega(0, 5) = 0.5;
-  EXPECT_FALSE(SquareRootInformation(omega));
-}
-
-struct ExampleEdge {
-  PoseGraphEdge edge;
-  Eigen::Isometry3d from, to;
-};
-
-// Off by about a radian and a metre, with coupled errors.
-ExampleEdge MakeExampleEdge() {
-  std::mt19937 random(4);
-  ExampleEdge example;
-  example.from = ExpSE3(RandomTangent(random, 1, 5));
-  example.to = ExpSE3(RandomTangent(random, 1, 5));
-  example.edge.T_from_to = example.from.inverse() * example.to * ExpSE3(RandomTangent(random, 0.6, 1));
-  example.edge.information = RandomInformation(random);
-  return example;
-}
-
-TEST(EdgeResidual, SquaredNormIsTheWeightedCost) {
-  const ExampleEdge e = MakeExampleEdge();
-  const Vector6d r = LogSE3(e.edge.T_from_to.inverse() * e.from.inverse() * e.to);
-  EXPECT_NEAR(EdgeResidual(e.edge).At(e.from, e.to).squaredNorm(), r.dot(e.edge.information * r), 1e-9);
-}
-
-TEST(EdgeResidual, JacobiansAgreeWithCentralDifferences) {
-  const ExampleEdge e = MakeExampleEdge();
-  const EdgeResidual residual(e.edge);
-  const LinearResidual linear = residual.LinearisedAt(e.from, e.to);
-  EXPECT_EQ(linear.residual, residual.At(e.from, e.to));
-  const double h = 1e-6;
-  for (int i = 0; i < 6; ++i) {
-    const Eigen::Isometry3d step = ExpSE3(h * Vector6d::Unit(i)), back = step.inverse();
-    const Vector6d by_from = residual.At(e.from * step, e.to) - residual.At(e.from * back, e.to);
-    const Vector6d by_to = residual.At(e.from, e.to * step) - residual.At(e.from, e.to * back);
-    EXPECT_LT((linear.by_from.col(i) - by_from / (2 * h)).norm(), 1e-6);
-    EXPECT_LT((linear.by_to.col(i) - by_to / (2 * h)).norm(), 1e-6);
-  }
 }
 
 // 1 * (x - 1)^2 + 3 * (x - 2)^2 has its minimum 0.75 at x = 1.75.

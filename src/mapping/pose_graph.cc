@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/pose_graph.h"
 
+#include <ceres/problem.h>
+#include <ceres/solver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 
-#include "mapping/normal_equations.h"
+#include "mapping/free_poses.h"
+#include "mapping/pose_block.h"
 #include "mapping/pose_graph_start.h"
+#include "mapping/relative_pose_cost.h"
 #include "mapping/spanning_tree.h"
 
 namespace armature {
@@ -17,13 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The trust region starts so wide that steps are those of Gauss-Newton wherever they lower the cost. A narrow
-// one damps the long chains of a pose graph, which bend at almost no cost, for many iterations.
-constexpr double kFirstRadius = 1e10;
-constexpr double kLeastRadius = 1e-20;
-constexpr double kLeastRatio = 1e-3;     // of the decrease that the linearised residuals promise
-constexpr double kNoStep = 1e-12;        // radians, metres
-constexpr double kLeastDiagonal = 1e-6;  // of H, of its mean: damping for what no edge measures
+// Gauss-Newton steps wherever they lower the cost: the damping that this radius leaves is below rounding.
+// Ceres' default of 1e4 damps pose graphs, whose long chains bend at almost no cost, for several iterations.
+constexpr double kTrustRegionRadius = 1e10;
 
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -47,87 +46,52 @@ void CheckGraph(const PoseGraph& graph) {
   }
 }
 
-// Levenberg-Marquardt (Marquardt's scaling, the radius as in Madsen, Nielsen and Tingleff 2004, 3.2):
-//   (H + D) d = -g,  D = diag(H) / radius.
-class Optimiser {
- public:
-  Optimiser(const PoseGraph& graph, std::vector<Eigen::Isometry3d> poses)
-      : builder_(graph), cholesky_(builder_.free().count, builder_.below()), poses_(std::move(poses)) {
-    builder_.BuildAt(poses_, equations_);
-    if (!std::isfinite(equations_.cost)) throw std::runtime_error("pose graph: the cost is not finite");
-  }
+ceres::Solver::Options SolverOptions(const PoseGraphOptions& options) {
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  solver.initial_trust_region_radius = kTrustRegionRadius;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = options.tolerance;
+  solver.num_threads = 1;
+  solver.logging_type = ceres::SILENT;
+  return solver;
+}
 
-  void Run(const PoseGraphOptions& options, PoseGraphResult& result) {
-    result.initial_cost = equations_.cost;
-    result.converged = builder_.free().count == 0;
-    while (!result.converged && result.iterations < options.max_iterations && radius_ > kLeastRadius) {
-      ++result.iterations;
-      result.converged = Iterate(options.tolerance);
-    }
-    result.final_cost = equations_.cost;
-    result.poses = poses_;
-  }
+// Nothing is owned by Ceres: one allocation holds all costs, in the order in which they are evaluated.
+ceres::Problem::Options ProblemOptions() {
+  ceres::Problem::Options options;
+  options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  return options;
+}
 
- private:
-  // Takes the step if it lowers the cost; true when there is nothing left to gain.
-  bool Iterate(double tolerance) {
-    const Eigen::VectorXd damping = Damping();
-    std::vector<Matrix6d> diagonal = equations_.diagonal;
-    for (size_t i = 0; i < diagonal.size(); ++i) {
-      diagonal[i].diagonal() += damping.segment<6>(6 * static_cast<long>(i));
-    }
-    if (!cholesky_.Factorize(diagonal, equations_.below)) return Narrow();
-    const Eigen::VectorXd step = -cholesky_.Solve(equations_.gradient);
-    // |r|^2 - |r + J d|^2 = -2 g.d - d.H d, and H d = -g - D d.
-    const double promised = step.dot(damping.cwiseProduct(step) - equations_.gradient);
-    const std::vector<Eigen::Isometry3d> moved = Moved(step);
-    const double before = equations_.cost, gained = before - builder_.CostAt(moved);
-    const bool is_last = step.lpNorm<Eigen::Infinity>() < kNoStep || promised <= tolerance * before;
-    if (!(gained > kLeastRatio * promised)) return is_last || Narrow();
-    poses_ = moved;
-    builder_.BuildAt(poses_, equations_);
-    Widen(gained / promised);
-    return is_last || gained <= tolerance * before;
-  }
+// Improves result.poses.
+void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraphResult& result) {
+  std::vector<PoseBlock> blocks(graph.poses.size());
+  std::transform(result.poses.begin(), result.poses.end(), blocks.begin(), ToBlock);
+  std::vector<RelativePoseCost> costs(graph.edges.begin(), graph.edges.end());
 
-  Eigen::VectorXd Damping() const {
-    Eigen::VectorXd diagonal(equations_.gradient.size());
-    for (size_t i = 0; i < equations_.diagonal.size(); ++i) {
-      diagonal.segment<6>(6 * static_cast<long>(i)) = equations_.diagonal[i].diagonal();
-    }
-    return diagonal.cwiseMax(kLeastDiagonal * diagonal.mean()) / radius_;
+  PoseManifold manifold;
+  ceres::Problem problem(ProblemOptions());
+  for (PoseBlock& block : blocks) problem.AddParameterBlock(block.data(), 7, &manifold);
+  for (const size_t pose : FixedPoses(graph)) problem.SetParameterBlockConstant(blocks[pose].data());
+  for (size_t i = 0; i < costs.size(); ++i) {
+    problem.AddResidualBlock(&costs[i], nullptr, blocks[graph.edges[i].from].data(),
+                             blocks[graph.edges[i].to].data());
   }
-
-  std::vector<Eigen::Isometry3d> Moved(const Eigen::VectorXd& step) const {
-    std::vector<Eigen::Isometry3d> moved = poses_;
-    for (size_t pose = 0; pose < moved.size(); ++pose) {
-      const int index = builder_.free().index[pose];
-      if (index == kFixedPose) continue;
-      Eigen::Isometry3d& T = moved[pose];
-      T = T * ExpSE3(step.segment<6>(6L * index));
-      T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();  // rounding adds up
-    }
-    return moved;
+  ceres::Solver::Summary summary;
+  ceres::Solve(SolverOptions(options), &problem, &summary);
+  if (!summary.IsSolutionUsable()) throw std::runtime_error("pose graph: " + summary.message);
+  for (size_t pose = 0; pose < blocks.size(); ++pose) {
+    // A fixed pose keeps its very bits.
+    if (problem.IsParameterBlockConstant(blocks[pose].data())) continue;
+    result.poses[pose] = FromBlock(blocks[pose].data());
   }
-
-  bool Narrow() {
-    radius_ /= narrowing_;
-    narrowing_ *= 2;
-    return false;
-  }
-
-  void Widen(double ratio) {
-    radius_ /= std::max(1 / 3.0, 1 - std::pow(2 * ratio - 1, 3));
-    narrowing_ = 2;
-  }
-
-  NormalEquationsBuilder builder_;
-  BlockCholesky cholesky_;
-  std::vector<Eigen::Isometry3d> poses_;
-  NormalEquations equations_;  // at poses_
-  double radius_ = kFirstRadius;
-  double narrowing_ = 2;  // the next divisor of the radius
-};
+  result.initial_cost = 2 * summary.initial_cost;  // Ceres counts half of it
+  result.final_cost = 2 * summary.final_cost;
+  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);  // the first is the start
+  result.converged = summary.termination_type == ceres::CONVERGENCE;
+}
 
 }  // namespace
 
@@ -146,10 +110,11 @@ PoseGraphResult SolvePoseGraph(const PoseGraph& graph, const PoseGraphOptions& o
   Clock::time_point clock = Clock::now();
   StartingPoses start = FindStartingPoses(graph, options.start);
   result.start = start.start;
+  result.poses = std::move(start.poses);
   result.start_milliseconds = MillisecondsSince(clock);
 
   clock = Clock::now();
-  Optimiser(graph, std::move(start.poses)).Run(options, result);
+  Optimise(graph, options, result);
   result.solve_milliseconds = MillisecondsSince(clock);
   return result;
 }
