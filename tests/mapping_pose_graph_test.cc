@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 #include "io/g2o.h"
@@ -83,6 +86,17 @@ TEST(PoseGraph, FixedPosesStayAndTheOthersMove) {
   EXPECT_LT(result.final_cost, result.initial_cost);
 }
 
+TEST(PoseGraph, HasNothingToDoWhereAllPosesAreFixed) {
+  PoseGraph graph = TorusGraph(3, 5, 0.1);
+  graph.fixed.resize(graph.poses.size());
+  std::iota(graph.fixed.begin(), graph.fixed.end(), 0u);
+  const PoseGraphResult result = SolvePoseGraph(graph, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(LargestDifference(result.poses, graph.poses), 0);
+  EXPECT_NEAR(result.final_cost, PoseGraphCost(graph, graph.poses), 1e-9 * result.final_cost);
+}
+
 TEST(PoseGraph, CostIsThatOfItsPoses) {
   PoseGraph graph = TorusGraph(4, 10, 0.05);
   graph.poses = ChainedPoses(graph);
@@ -130,6 +144,15 @@ TEST(PoseGraph, GivesTheSameBitsAgain) {
   PoseGraph graph = TorusGraph(5, 12, 0.05);
   graph.poses = ChainedPoses(graph);
   EXPECT_EQ(LargestDifference(SolvePoseGraph(graph, {}).poses, SolvePoseGraph(graph, {}).poses), 0);
+}
+
+// A graph whose factorisation CHOLMOD would spread over threads.
+TEST(PoseGraph, StartsNoThread) {
+  PoseGraph graph = TorusGraph(30, 30, 0.05);
+  graph.poses = ChainedPoses(graph);
+  SolvePoseGraph(graph, StartingFrom(PoseGraphStart::kGiven));
+  const std::filesystem::directory_iterator threads("/proc/self/task");
+  EXPECT_EQ(std::distance(begin(threads), end(threads)), 1);
 }
 
 TEST(PoseGraph, StopsWhenTheIterationsRunOut) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "mapping/free_poses.h"
+#include "mapping/one_thread.h"
 #include "mapping/pose_block.h"
 #include "mapping/pose_graph_start.h"
 #include "mapping/relative_pose_cost.h"
@@ -49,6 +50,7 @@ void CheckGraph(const PoseGraph& graph) {
 ceres::Solver::Options SolverOptions(const PoseGraphOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  solver.use_postordering = true;  // columns of like structure next to each other: larger supernodes
   solver.initial_trust_region_radius = kTrustRegionRadius;
   solver.max_num_iterations = options.max_iterations;
   solver.function_tolerance = options.tolerance;
@@ -80,6 +82,7 @@ void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraph
                              blocks[graph.edges[i].to].data());
   }
   ceres::Solver::Summary summary;
+  const OneThread one_thread;
   ceres::Solve(SolverOptions(options), &problem, &summary);
   if (!summary.IsSolutionUsable()) throw std::runtime_error("pose graph: " + summary.message);
   for (size_t pose = 0; pose < blocks.size(); ++pose) {
