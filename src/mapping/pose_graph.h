@@ -7,7 +7,6 @@
 // sum does not change when all poses move together.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/se3.h"
@@ -37,7 +36,7 @@ enum class PoseGraphStart {
 struct PoseGraphOptions {
   PoseGraphStart start = PoseGraphStart::kAuto;
   int max_iterations = 100;
-  double tolerance = 1e-7;  // stop when an iteration lowers the cost by less than this part of it
+  double tolerance = 1e-6;  // stop when an iteration lowers the cost by less than this part of it
 };
 
 struct PoseGraphResult {
