@@ -19,7 +19,6 @@ namespace {
 
 using testing::GarbagePoses;
 using testing::RandomInformation;
-using testing::RandomTangent;
 using testing::TorusGraph;
 
 PoseGraphOptions StartingFrom(PoseGraphStart start) {
