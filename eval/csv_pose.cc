@@ -13,7 +13,8 @@ Eigen::Isometry3d ReadPose(const CsvRow& row) {
     throw InputError(row.At("the quaternion has not unit length; normalise it"));
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = q.normalized().toRotationMatrix();
-  pose.translation() << row.Number("tx"), row.Number("ty"), row.Number("tz");
+  // Not by Eigen's comma initialiser: it must not be left half way, as by a number that cannot be read.
+  pose.translation() = Eigen::Vector3d(row.Number("tx"), row.Number("ty"), row.Number("tz"));
   return pose;
 }
 

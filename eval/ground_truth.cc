@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/text.h"
+#include "io/trajectory_formats.h"
 
 namespace armature {
 namespace {
@@ -24,7 +25,7 @@ std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   for (const CsvRow& row : table.rows()) {
     TrueObject object{row.Text("id"), row.Text("category"), row.Text("instance")};
     object.T_world_object = ReadPose(row);
-    object.size << row.Number("size_x"), row.Number("size_y"), row.Number("size_z");
+    object.size = Eigen::Vector3d(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
     objects.push_back(std::move(object));
   }
   return objects;
@@ -41,9 +42,15 @@ std::string FirstComment(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence) {
+  TrajectoryReading reading{.repeated = RepeatedStamps::kKept};
+  if (std::filesystem::exists(sequence / "rgb.txt")) reading.stamps = ReadStamps(sequence / "rgb.txt");
+  return ReadTrajectory(sequence / "groundtruth.txt", reading);
+}
+
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   GroundTruth truth;
-  truth.T_world_camera = ReadTumTrajectory(sequence / "groundtruth.txt");
+  truth.T_world_camera = LoadTrueTrajectory(sequence);
   truth.objects = ReadObjects(sequence / "objects_gt.csv");
   truth.objects_source = FirstComment(sequence / "objects_gt.csv");
   const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});

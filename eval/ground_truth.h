@@ -34,6 +34,10 @@ struct GroundTruth {
   const TrueObject* ObjectOf(double timestamp, int index) const;
 };
 
+// groundtruth.txt of a sequence folder, in any format that io/trajectory_formats.h reads (KITTI: a line an
+// image of rgb.txt), repeated stamps kept. Throws InputError.
+std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence);
+
 // groundtruth.txt, objects_gt.csv and detections_gt.csv of a sequence folder. Throws InputError.
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence);
 

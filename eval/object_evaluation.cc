@@ -25,7 +25,7 @@ std::set<size_t> ObservedObjects(const GroundTruth& truth) {
   return observed;
 }
 
-EvaluatedObject FoundObject(const MapObject& object, const TrueObject& truth,
+EvaluatedObject FoundObject(const PlacedObject& object, const TrueObject& truth,
                             const std::vector<CategorySpec>& specs) {
   const int symmetry_order = SpecOf(specs, truth.category).symmetry_order;
   return {ObjectStatus::kFound,
@@ -76,15 +76,15 @@ std::string StatusName(ObjectStatus status) {
   return "";
 }
 
-std::vector<MapObject> Moved(std::vector<MapObject> map, const Similarity& T_truth_run) {
-  for (MapObject& object : map) {
+std::vector<PlacedObject> Moved(std::vector<PlacedObject> map, const Similarity& T_truth_run) {
+  for (PlacedObject& object : map) {
     object.T_world_object = T_truth_run.Apply(object.T_world_object);
     object.size *= T_truth_run.scale;
   }
   return map;
 }
 
-ObjectError CompareObject(const MapObject& object, const TrueObject& truth, int symmetry_order) {
+ObjectError CompareObject(const PlacedObject& object, const TrueObject& truth, int symmetry_order) {
   ObjectError error;
   error.centre_m = (object.T_world_object.translation() - truth.T_world_object.translation()).norm();
   error.orientation =
@@ -95,7 +95,7 @@ ObjectError CompareObject(const MapObject& object, const TrueObject& truth, int 
   return error;
 }
 
-std::vector<EvaluatedObject> EvaluateObjects(const std::vector<MapObject>& map, const GroundTruth& truth,
+std::vector<EvaluatedObject> EvaluateObjects(const std::vector<PlacedObject>& map, const GroundTruth& truth,
                                              const std::vector<CategorySpec>& specs,
                                              const ObjectPairs& pairs) {
   const std::set<size_t> observed = ObservedObjects(truth);

@@ -8,9 +8,9 @@
 
 #include "category/category_model.h"
 #include "eval/ground_truth.h"
-#include "eval/map_objects.h"
 #include "eval/object_matching.h"
 #include "eval/orientation_error.h"
+#include "eval/placed_objects.h"
 #include "eval/trajectory_alignment.h"
 
 namespace armature {
@@ -43,14 +43,14 @@ struct EvaluatedObject {
 };
 
 // The map brought to the truth's frame; sizes are scaled too.
-std::vector<MapObject> Moved(std::vector<MapObject> map, const Similarity& T_truth_run);
+std::vector<PlacedObject> Moved(std::vector<PlacedObject> map, const Similarity& T_truth_run);
 
 // Both in the frame of the truth. `symmetry_order`: see CategorySpec.
-ObjectError CompareObject(const MapObject& object, const TrueObject& truth, int symmetry_order);
+ObjectError CompareObject(const PlacedObject& object, const TrueObject& truth, int symmetry_order);
 
 // All true objects in the order of the truth, then the spurious ones in the order of the map. `map` in the
 // frame of the truth. Throws InputError when a true object's category has no specification.
-std::vector<EvaluatedObject> EvaluateObjects(const std::vector<MapObject>& map, const GroundTruth& truth,
+std::vector<EvaluatedObject> EvaluateObjects(const std::vector<PlacedObject>& map, const GroundTruth& truth,
                                              const std::vector<CategorySpec>& specs,
                                              const ObjectPairs& pairs);
 

@@ -9,7 +9,7 @@
 namespace armature {
 namespace {
 
-Eigen::MatrixXd Distances(const std::vector<MapObject>& map, const std::vector<TrueObject>& truth,
+Eigen::MatrixXd Distances(const std::vector<PlacedObject>& map, const std::vector<TrueObject>& truth,
                           double gate_m) {
   Eigen::MatrixXd distances(truth.size(), map.size());
   for (size_t i = 0; i < truth.size(); ++i) {
@@ -24,7 +24,7 @@ Eigen::MatrixXd Distances(const std::vector<MapObject>& map, const std::vector<T
 }
 
 // counts(i, j): observations of map object j that are of the true object i.
-Eigen::MatrixXi CountObservations(const std::vector<MapObject>& map, const RunResults& run,
+Eigen::MatrixXi CountObservations(const std::vector<PlacedObject>& map, const RunResults& run,
                                   const GroundTruth& truth) {
   Eigen::MatrixXi counts = Eigen::MatrixXi::Zero(static_cast<Eigen::Index>(truth.objects.size()),
                                                  static_cast<Eigen::Index>(map.size()));
@@ -41,7 +41,7 @@ Eigen::MatrixXi CountObservations(const std::vector<MapObject>& map, const RunRe
 
 }  // namespace
 
-ObjectPairs MatchByDistance(const std::vector<MapObject>& map, const std::vector<TrueObject>& truth,
+ObjectPairs MatchByDistance(const std::vector<PlacedObject>& map, const std::vector<TrueObject>& truth,
                             double gate_m) {
   ObjectPairs pairs;
   const std::vector<int> columns = Assign(Distances(map, truth, gate_m));
@@ -51,7 +51,7 @@ ObjectPairs MatchByDistance(const std::vector<MapObject>& map, const std::vector
   return pairs;
 }
 
-ObjectPairs MatchByDetections(const std::vector<MapObject>& map, const RunResults& run,
+ObjectPairs MatchByDetections(const std::vector<PlacedObject>& map, const RunResults& run,
                               const GroundTruth& truth) {
   ObjectPairs pairs;
   Eigen::MatrixXi counts = CountObservations(map, run, truth);

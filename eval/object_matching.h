@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "eval/ground_truth.h"
-#include "eval/map_objects.h"
+#include "eval/placed_objects.h"
 #include "eval/run_results.h"
 
 namespace armature {
@@ -17,14 +17,14 @@ using ObjectPairs = std::vector<std::pair<size_t, size_t>>;
 
 // By where they are: one-to-one with the most pairs, of those the least sum of the centres' distances, none
 // further apart than the gate (metres). `map` in the frame of the truth.
-ObjectPairs MatchByDistance(const std::vector<MapObject>& map, const std::vector<TrueObject>& truth,
+ObjectPairs MatchByDistance(const std::vector<PlacedObject>& map, const std::vector<TrueObject>& truth,
                             double gate_m);
 
 // By what they were made from, however far they are: each map object is the true object that most of its
 // observations are of (detections_gt.csv); of several map objects of one true object the one with the most of
 // them is it, the others are none. Equally many: the first in the list. Without pairs where the run's
 // observations name no objects.
-ObjectPairs MatchByDetections(const std::vector<MapObject>& map, const RunResults& run,
+ObjectPairs MatchByDetections(const std::vector<PlacedObject>& map, const RunResults& run,
                               const GroundTruth& truth);
 
 }  // namespace armature

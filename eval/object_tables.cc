@@ -80,11 +80,12 @@ std::string ErrorFields(const ObjectError& e) {
 }
 
 // The columns that all objects of a map have in common.
-std::string RawStart(const std::string& sequence, const NamedObjects& run, const EvaluatedMap& map) {
+std::string RawStart(const SequenceObjects& sequence, const NamedObjects& run, const EvaluatedMap& map) {
   const RunConfiguration& c = run.objects.configuration;
   const std::string loop_closure = c.loop_closure ? fmt::format("{}", *c.loop_closure) : "";
-  return fmt::format("{},{},{},{},{},{}", run.run, sequence, c.normal_term.value_or(""), loop_closure,
-                     map.by_odometry ? "odometry" : "objects", Fixed(map.T_truth_run.scale, 9));
+  return fmt::format("{},{},{},{},{},{},{}", run.run, sequence.sequence, c.normal_term.value_or(""),
+                     loop_closure, map.by_odometry ? "odometry" : "objects",
+                     AlignmentName(sequence.options.alignment), Fixed(map.T_truth_run.scale, 9));
 }
 
 std::string RawRows(const std::string& start, const std::string& matching,
@@ -161,12 +162,12 @@ Table EachObjectTable(const SequenceObjects& sequence) {
 
 std::string RawObjectsCsv(const std::vector<SequenceObjects>& sequences) {
   std::string text =
-      "run,sequence,normal_term,loop_closure,map,scale,matching,status,id,category,map_object,observations,"
-      "centre_m,azimuth_deg,pitch_deg,roll_deg,tilt_deg,size_x_m,size_y_m,size_z_m,iou\n";
+      "run,sequence,normal_term,loop_closure,map,alignment,scale,matching,status,id,category,map_object,"
+      "observations,centre_m,azimuth_deg,pitch_deg,roll_deg,tilt_deg,size_x_m,size_y_m,size_z_m,iou\n";
   for (const SequenceObjects& sequence : sequences) {
     for (const NamedObjects& run : sequence.runs) {
       for (const EvaluatedMap& map : run.objects.maps) {
-        const std::string start = RawStart(sequence.sequence, run, map);
+        const std::string start = RawStart(sequence, run, map);
         text += RawRows(start, "distance", map.by_distance) + RawRows(start, "detections", map.by_detections);
       }
     }

@@ -116,8 +116,10 @@ void AddPaper(const std::vector<PaperObjectErrors>& paper, Table& table) {
   for (const PaperObjectErrors& row : paper) table.rows.push_back(PaperRow(row));
   if (paper.empty()) return;
   table.notes.emplace_back(
-      "paper 1, 2, ...: the paper's own numbers, as printed, on its own sequences: not comparable row by "
-      "row.");
+      "paper 1, 2, ...: the paper's own numbers, as printed; its sequences are others, rows are not "
+      "comparable.");
+  table.notes.emplace_back(
+      "The paper scales a trajectory by its end points, as --object-alignment end_points does here.");
   for (std::string& note : OddEntries(paper)) table.notes.push_back(std::move(note));
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 Similarity AlignmentOf(const fs::path& trajectory, const SequenceTruth& sequence,
                        const ObjectEvaluationOptions& options) {
   const std::vector<PosePair> pairs =
-      PairPoses(ReadTumTrajectory(trajectory), sequence.truth.T_world_camera, kStampTolerance);
+      PairPoses(ReadTumTrajectory(trajectory), sequence.truth.T_world_camera, options.tolerance);
   if (pairs.empty()) {
     throw InputError(
         fmt::format("{}: no pose is at a time of the true trajectory of '{}'; give the ground truth of this "
@@ -37,11 +37,13 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
   const GroundTruth& truth = sequence.truth;
   EvaluatedMap evaluated;
   evaluated.by_odometry = by_odometry;
-  evaluated.T_truth_run =
-      AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
-  const std::vector<MapObject> map =
-      Moved(ReadMapObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv")),
-            evaluated.T_truth_run);
+  std::vector<PlacedObject> map =
+      ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
+  if (!map.empty()) {  // a run that placed nothing may have had no odometry
+    evaluated.T_truth_run =
+        AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
+  }
+  map = Moved(std::move(map), evaluated.T_truth_run);
   evaluated.by_distance =
       EvaluateObjects(map, truth, specs, MatchByDistance(map, truth.objects, options.gate_m));
   const bool named = std::any_of(run.observations.begin(), run.observations.end(),

@@ -15,7 +15,8 @@ namespace armature {
 
 struct ObjectEvaluationOptions {
   AlignmentKind alignment = AlignmentKind::kFirstPose;  // the map claims to be metric: no scale is given away
-  int first_n = 20;                                     // pairs, of AlignmentKind::kFirstN
+  int first_n = 10;                                     // pairs, of AlignmentKind::kFirstN
+  double tolerance = 0.01;                              // seconds between the stamps of a pair, at most
   double gate_m = 1.0;                                  // furthest distance of a match, metres
 };
 

@@ -23,7 +23,7 @@ const std::vector<std::string> kPose = {"tx", "ty", "tz", "qx", "qy", "qz", "qw"
 
 Key KeyOf(double timestamp, int index) { return {std::llround(timestamp * 1e6), index}; }
 
-void ReadSummary(const std::filesystem::path& file, RunResults& run) {
+void ReadSummary(const std::filesystem::path& file, RunIdentity& run) {
   const auto json = nlohmann::json::parse(ReadTextFile(file), nullptr, false);
   if (!json.is_object() || !json.contains("sequence") || !json["sequence"].is_string()) {
     throw InputError(fmt::format("{}: names no sequence; run `armature run` again", file.string()));
@@ -84,16 +84,25 @@ const RunObservation* RunResults::Find(double timestamp, int index) const {
   return nullptr;
 }
 
-RunResults LoadRun(const std::filesystem::path& folder) {
+RunIdentity IdentifyRun(const std::filesystem::path& folder) {
   if (!IsCompleteRun(folder)) {
     throw InputError(
         fmt::format("{}: is not a finished run: it has no summary.json that says \"complete\": true; run "
                     "`armature run` again",
                     folder.string()));
   }
-  RunResults run;
+  RunIdentity run;
   run.folder = folder;
   ReadSummary(folder / "summary.json", run);
+  return run;
+}
+
+RunResults LoadRun(const std::filesystem::path& folder) {
+  const RunIdentity identity = IdentifyRun(folder);
+  RunResults run;
+  run.folder = identity.folder;
+  run.sequence = identity.sequence;
+  run.sequence_folder = identity.sequence_folder;
   ReadObservations(folder / "observations.csv", run);
   ReadAssociations(folder / "associations.csv", run);
   return run;

@@ -32,6 +32,13 @@ struct RunObservation {
   bool ok() const { return status == "ok"; }
 };
 
+// What a run is of.
+struct RunIdentity {
+  std::filesystem::path folder;
+  std::string sequence;                   // its name
+  std::filesystem::path sequence_folder;  // empty: the run did not record it
+};
+
 struct RunResults {
   std::filesystem::path folder;
   std::string sequence;                                              // its name
@@ -41,6 +48,9 @@ struct RunResults {
   // The observation of a detection; stamps match within kStampTolerance. Null: the run has no row of it.
   const RunObservation* Find(double timestamp, int index) const;
 };
+
+// summary.json of a run folder. Throws InputError: not a finished run.
+RunIdentity IdentifyRun(const std::filesystem::path& folder);
 
 // summary.json, observations.csv and associations.csv of a run folder. Throws InputError: not a finished run,
 // a missing or malformed file, a repeated observation, an association without its observation, a half-empty

@@ -16,9 +16,8 @@ namespace armature {
 namespace {
 
 // Below these a trajectory does not move, or moves along a line only: what is left is rounding of the files.
-constexpr double kStill = 1e-6;     // of 1 m, or of the distance from the origin where that is more
-constexpr double kLine = 1e-10;     // second over first singular value: 1e-5 of the length across
-constexpr double kRounding = 1e-6;  // seconds; what doubles keep of a stamp that counts from 1970, and more
+constexpr double kStill = 1e-6;  // of 1 m, or of the distance from the origin where that is more
+constexpr double kLine = 1e-10;  // second over first singular value: 1e-5 of the length across
 
 // First and second moments of the pairs' positions and rotations.
 struct Moments {
@@ -203,7 +202,7 @@ std::vector<PosePair> PairPoses(const std::vector<TimedPose>& estimate, const st
                                 double tolerance_seconds) {
   std::vector<bool> estimate_taken(estimate.size(), false), truth_taken(truth.size(), false);
   std::vector<Candidate> chosen;
-  for (const Candidate& c : CandidatesWithin(estimate, truth, tolerance_seconds + kRounding)) {
+  for (const Candidate& c : CandidatesWithin(estimate, truth, tolerance_seconds + kStampRounding)) {
     if (estimate_taken[c.estimate] || truth_taken[c.truth]) continue;
     estimate_taken[c.estimate] = truth_taken[c.truth] = true;
     chosen.push_back(c);

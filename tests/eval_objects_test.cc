@@ -6,6 +6,7 @@
 
 #include "eval/run_objects.h"
 #include "support/expect_input_error.h"
+#include "support/shared_data.h"
 #include "support/true_map.h"
 
 namespace armature {
@@ -38,7 +39,7 @@ GroundTruth Room() {
   return truth;
 }
 
-std::vector<EvaluatedObject> Evaluate(const std::vector<MapObject>& map, const GroundTruth& truth,
+std::vector<EvaluatedObject> Evaluate(const std::vector<PlacedObject>& map, const GroundTruth& truth,
                                       double gate_m = 1) {
   static const std::vector<CategorySpec> specs = testing::ShippedSpecs();
   return EvaluateObjects(map, truth, specs, MatchByDistance(map, truth.objects, gate_m));
@@ -78,7 +79,7 @@ TEST(EvalObjects, TruthAsResultIsPerfect) {
 
 TEST(EvalObjects, TheOrderOfTheMapDoesNotMatter) {
   const GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   std::reverse(map.begin(), map.end());
   ExpectPerfect(Evaluate(map, truth), 1e-12);
 }
@@ -87,7 +88,7 @@ TEST(EvalObjects, KnownErrors) {
   GroundTruth truth = Room();
   truth.objects.resize(1);
   truth.detections = {{{0, 0}, 0}};
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   map[0].T_world_object.pretranslate(Eigen::Vector3d(0.03, 0, -0.04));
   map[0].T_world_object.rotate(Eigen::AngleAxisd(-30 * kDegree, Eigen::Vector3d::UnitY()));
   map[0].T_world_object.rotate(Eigen::AngleAxisd(6 * kDegree, Eigen::Vector3d::UnitX()));
@@ -110,15 +111,15 @@ TEST(EvalObjects, KnownErrors) {
 
 TEST(EvalObjects, CommonVolumeOfShiftedBoxes) {
   GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   map[3].T_world_object.translate(Eigen::Vector3d(kTableSize.x() / 2, 0, 0));
   EXPECT_NEAR(Evaluate(map, truth)[3].error->iou, 1.0 / 3, 1e-9);
 }
 
 TEST(EvalObjects, HalfATurnIsWrongForAChairAndNothingForATable) {
   const GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
-  for (MapObject& object : map)
+  std::vector<PlacedObject> map = TrueMap(truth);
+  for (PlacedObject& object : map)
     object.T_world_object.rotate(Eigen::AngleAxisd(180 * kDegree, Eigen::Vector3d::UnitY()));
   for (const EvaluatedObject& object : Evaluate(map, truth)) {
     EXPECT_NEAR(std::abs(object.error->orientation.azimuth_deg), object.category == "chair" ? 180 : 0, 1e-9);
@@ -132,7 +133,7 @@ TEST(EvalObjects, HalfATurnIsWrongForAChairAndNothingForATable) {
 TEST(EvalObjects, SizesUnderTheNearestSymmetricTurn) {
   TrueObject truth = ObjectAt("table0", "table", {0, 0, 0});
   truth.size = {1.0, 0.7, 1.1};
-  MapObject object{"t", "table", "", truth.T_world_object, {1.1, 0.7, 1.0}, 1, {}};
+  PlacedObject object{"t", "table", "", truth.T_world_object, {1.1, 0.7, 1.0}, 1, {}};
   object.T_world_object.rotate(Eigen::AngleAxisd(90 * kDegree, Eigen::Vector3d::UnitY()));
   const ObjectError error = CompareObject(object, truth, 4);
   EXPECT_NEAR(error.orientation.azimuth_deg, 0, 1e-9);
@@ -144,7 +145,7 @@ TEST(EvalObjects, SizesUnderTheNearestSymmetricTurn) {
 TEST(EvalObjects, MissedNeverObservedAndSpurious) {
   GroundTruth truth = Room();
   truth.detections.erase({0, 2});  // chair2
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   map[0].T_world_object.translation().y() += 3;  // chair0
   map.erase(map.begin() + 2);
   const std::vector<EvaluatedObject> objects = Evaluate(map, truth);
@@ -165,7 +166,7 @@ TEST(EvalObjects, MissedNeverObservedAndSpurious) {
 
 TEST(EvalObjects, TheGateIsTheFurthestMatch) {
   const GroundTruth truth = Room();
-  std::vector<MapObject> map = {TrueMap(truth)[2]};
+  std::vector<PlacedObject> map = {TrueMap(truth)[2]};
   map[0].T_world_object.translation().x() += 0.999;
   EXPECT_EQ(Summarise(Evaluate(map, truth), "").found, 1);
   map[0].T_world_object.translation().x() += 0.002;
@@ -175,7 +176,7 @@ TEST(EvalObjects, TheGateIsTheFurthestMatch) {
 
 TEST(EvalObjects, OtherCategoriesAreNoMatch) {
   const GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   map[3].category = "laptop";
   const ObjectSummary summary = Summarise(Evaluate(map, truth), "");
   EXPECT_EQ(summary.found, 3);
@@ -186,7 +187,7 @@ TEST(EvalObjects, OtherCategoriesAreNoMatch) {
 // Both are nearest to chair1; one chair each leaves none without.
 TEST(EvalObjects, EachObjectIsMatchedOnce) {
   GroundTruth truth = Room();
-  std::vector<MapObject> map = {TrueMap(truth)[0], TrueMap(truth)[1]};
+  std::vector<PlacedObject> map = {TrueMap(truth)[0], TrueMap(truth)[1]};
   map[0].T_world_object.translation().x() = 0.7;
   map[1].T_world_object.translation().x() = 0.9;
   const std::vector<EvaluatedObject> objects = Evaluate(map, truth);
@@ -196,7 +197,7 @@ TEST(EvalObjects, EachObjectIsMatchedOnce) {
 
 TEST(EvalObjects, ASecondOneOfTheSameIsSpurious) {
   GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   map.push_back(map[2]);
   map.back().id = "again";
   map.back().T_world_object.translation().x() += 0.01;
@@ -217,7 +218,7 @@ TEST(EvalObjects, EmptyMapsAndTruths) {
 
 TEST(EvalObjects, SummaryOfDistances) {
   GroundTruth truth = Room();
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   const double distances[] = {0.1, 0.2, 0.9, 0.4};
   for (size_t i = 0; i < 4; ++i) map[i].T_world_object.translation().y() += distances[i];
   const ObjectSummary summary = Summarise(Evaluate(map, truth), "");
@@ -240,7 +241,7 @@ RunResults ObservationsOf(const std::vector<std::string>& objects) {
 // However far away it is, and though another chair's place is nearer.
 TEST(EvalObjects, MatchedByDetections) {
   const GroundTruth truth = Room();  // detection i is of object i
-  std::vector<MapObject> map = TrueMap(truth);
+  std::vector<PlacedObject> map = TrueMap(truth);
   std::swap(map[0].T_world_object, map[2].T_world_object);
   const RunResults run = ObservationsOf({"map_chair0", "map_chair1", "map_chair2", "map_table0"});
   const ObjectPairs pairs = MatchByDetections(map, run, truth);
@@ -250,7 +251,7 @@ TEST(EvalObjects, MatchedByDetections) {
 TEST(EvalObjects, MostDetectionsDecide) {
   GroundTruth truth = Room();
   truth.detections = {{{0, 0}, 0}, {{0, 1}, 0}, {{0, 2}, 1}, {{0, 3}, 1}, {{0, 4}, 1}, {{0, 5}, 3}};
-  const std::vector<MapObject> map = TrueMap(truth);
+  const std::vector<PlacedObject> map = TrueMap(truth);
   // map_chair0 is of chair0 twice and of chair1 once; map_chair1 and map_chair2 are both of chair1, once
   // each; a chair's box may hold a table.
   const RunResults run = ObservationsOf(
@@ -332,6 +333,8 @@ TEST_F(RunMaps, AMapWithoutObjects) {
   const RunObjects objects = EvaluateRunObjects(LoadRun(run), world_.sequence, world_.specs, {});
   ASSERT_EQ(objects.maps.size(), 2u);
   EXPECT_EQ(Summarise(objects.maps[1].by_distance, "").missed, 2);
+  world_.folder.Write("run/trajectory.txt", "# no odometry, no pose\n");
+  EXPECT_NO_THROW(EvaluateRunObjects(LoadRun(run), world_.sequence, world_.specs, {}));
 }
 
 TEST_F(RunMaps, ApproachesByConfiguration) {
@@ -362,18 +365,31 @@ TEST_F(RunMaps, BadInput) {
   ExpectInputError(evaluate, {"trajectory.txt", "cannot be opened"});
 }
 
-TEST(MapObjects, BadInput) {
+// Real rooms, some of whose objects are in no detection.
+TEST(EvalObjects, SharedTruthsAsResultsArePerfect) {
+  for (const char* name : {"sequences/office_dev", "sequences/redkitchen_a"}) {
+    ARMATURE_SHARED_DATA_OR_SKIP(folder, name);
+    const GroundTruth truth = LoadGroundTruth(folder);
+    ExpectPerfect(Evaluate(TrueMap(truth), truth), 1e-9);
+    const ObjectSummary none = Summarise(Evaluate({}, truth), "");
+    EXPECT_LE(none.missed, none.objects);
+    EXPECT_GE(none.missed, 5);
+    EXPECT_FALSE(truth.objects_source.empty());
+  }
+}
+
+TEST(PlacedObjects, BadInput) {
   const testing::TempFolder folder;
   const std::string header = MapText({}), good = "a,chair,,0,0,0,0,0,0,1,0.4,0.9,0.5,3,0.5;-1\n";
   const auto refused = [&](const std::string& text, const std::vector<std::string>& expected) {
     const auto file = folder.Write("objects.csv", text);
-    ExpectInputError([&] { ReadMapObjects(file); }, expected);
+    ExpectInputError([&] { ReadPlacedObjects(file); }, expected);
   };
-  const auto objects = ReadMapObjects(folder.Write("objects.csv", header + good));
+  const auto objects = ReadPlacedObjects(folder.Write("objects.csv", header + good));
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].shape, (std::vector<double>{0.5, -1}));
   EXPECT_EQ(objects[0].observations, 3);
-  EXPECT_TRUE(ReadMapObjects(folder.Write("objects.csv", header)).empty());
+  EXPECT_TRUE(ReadPlacedObjects(folder.Write("objects.csv", header)).empty());
   refused(header + good + good, {"objects.csv:3", "'a'", "twice"});
   refused(header + "a,chair,,0,0,0,0,0,0,2,0.4,0.9,0.5,3,\n", {"objects.csv:2", "quaternion"});
   refused(header + "a,chair,,0,0,x,0,0,0,1,0.4,0.9,0.5,3,\n", {"objects.csv:2", "'tz'", "'x'"});
@@ -382,7 +398,7 @@ TEST(MapObjects, BadInput) {
   refused(header + "a,chair,,0,0,0,0,0,0,1,0.4,0.9,0.5,3,1;y\n", {"objects.csv:2", "shape", "'y'"});
   refused(header + ",chair,,0,0,0,0,0,0,1,0.4,0.9,0.5,3,\n", {"objects.csv:2", "id"});
   refused("id,category\n", {"objects.csv:1", "instance"});
-  ExpectInputError([&] { ReadMapObjects(folder / "absent.csv"); }, {"absent.csv"});
+  ExpectInputError([&] { ReadPlacedObjects(folder / "absent.csv"); }, {"absent.csv"});
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include "eval/trajectory_alignment.h"
 #include "geometry/rotation.h"
 #include "support/expect_input_error.h"
-#include "support/shared_data.h"
 
 namespace armature {
 namespace {
@@ -45,6 +44,7 @@ PosePair Moved(const Eigen::Isometry3d& truth, const Similarity& s, double times
 
 std::vector<PosePair> Moved(const std::vector<Eigen::Isometry3d>& truth, const Similarity& s) {
   std::vector<PosePair> pairs;
+  pairs.reserve(truth.size());
   for (const Eigen::Isometry3d& pose : truth) {
     pairs.push_back(Moved(pose, s, 0.1 * static_cast<double>(pairs.size())));
   }
@@ -173,6 +173,7 @@ TEST(Alignment, OfOnePairPutsThePoseOnTheTrueOne) {
 // turned.
 TEST(Alignment, OfTurningInPlaceFollowsTheCameras) {
   std::vector<Eigen::Isometry3d> truth;
+  truth.reserve(20);
   for (int i = 0; i < 20; ++i) truth.push_back(Pose({0, 0.3 * i, 0}, {4, 5, 6}));
   const auto pairs = Moved(truth, Known(1));
   for (const AlignmentKind kind : kAllKinds) {
@@ -185,6 +186,7 @@ TEST(Alignment, OfTurningInPlaceFollowsTheCameras) {
 
 TEST(Alignment, OfStraightMotionFollowsTheCamerasAboutTheLine) {
   std::vector<Eigen::Isometry3d> truth;
+  truth.reserve(20);
   for (int i = 0; i < 20; ++i) truth.push_back(Pose({0, 0.1 * i, 0}, Eigen::Vector3d(1, 2, -2) * 0.1 * i));
   const auto pairs = Moved(truth, Known(0.4));
   const Similarity s = Align(pairs, AlignmentKind::kSim3, 1);
@@ -236,25 +238,6 @@ TEST(Pairing, StopsAtTheTolerance) {
   EXPECT_TRUE(PairPoses({At(1305031102.16)}, {At(1305031102.1701)}, 0.01).empty());
   EXPECT_TRUE(PairPoses({}, {At(0)}, 0.01).empty());
   EXPECT_TRUE(PairPoses({At(0)}, {}, 0.01).empty());
-}
-
-// Reference values of another implementation, see the shared data's README.
-TEST(AlignmentOnRealData, FindsTheReferenceScales) {
-  ARMATURE_SHARED_DATA_OR_SKIP(folder, "trajectories");
-  const struct {
-    const char *estimate, *truth;
-    size_t pairs;
-    double scale;
-  } references[] = {
-      {"freiburg1_xyz-rgbdslam.txt", "freiburg1_xyz-groundtruth.txt", 785, 1.0080013899313371},
-      {"freiburg1_xyz-ORB_kf_mono.txt", "freiburg1_xyz-groundtruth.txt", 32, 1.1056223637370342},
-      {"fr2_desk_ORB_kf_mono.txt", "fr2_desk_groundtruth.txt", 118, 2.2280217535893283}};
-  for (const auto& reference : references) {
-    const auto pairs = PairPoses(ReadTumTrajectory(folder / reference.estimate),
-                                 ReadTumTrajectory(folder / reference.truth, RepeatedStamps::kKept), 0.01);
-    EXPECT_EQ(pairs.size(), reference.pairs);
-    EXPECT_NEAR(Align(pairs, AlignmentKind::kSim3, 1).scale, reference.scale, 1e-9);
-  }
 }
 
 }  // namespace

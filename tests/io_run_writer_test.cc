@@ -52,7 +52,10 @@ class RunWriterTest : public ::testing::Test {
     writer.WriteTrajectories({TimedPose{.timestamp = 0.2}}, {TimedPose{.timestamp = 0.2}});
     writer.AddFrame(SampleFrame());
     writer.AddSkippedImage(0.4, "rgb/1.png: is not an image");
-    writer.Finish({.sequence = "tiny", .preset = "default"});
+    writer.Finish(
+        {.sequence = "tiny",
+         .preset = "default",
+         .odometry = {.poses = 9, .images = 4, .images_with_pose = 3, .gaps = 1, .longest_gap = 0.5}});
   }
 
   // Names in the test's folder, to see what is left behind.
@@ -105,6 +108,10 @@ TEST_F(RunWriterTest, SummaryExplainsTheRun) {
   EXPECT_EQ(summary["counts"]["observations"]["ok"], 1);
   EXPECT_EQ(summary["counts"]["observations"]["too_few_edges"], 1);
   EXPECT_EQ(summary["counts"]["observations"]["diverged"], 0);
+  EXPECT_EQ(summary["odometry"]["poses"], 9);
+  EXPECT_EQ(summary["odometry"]["images_with_pose"], 3);
+  EXPECT_EQ(summary["odometry"]["gaps"], 1);
+  EXPECT_EQ(summary["odometry"]["longest_gap_s"], 0.5);
   EXPECT_EQ(summary["skipped"][0]["reason"], "rgb/1.png: is not an image");
   EXPECT_EQ(summary["stages_ms"]["total"]["median"], 10);
   EXPECT_GT(summary["peak_memory_mb"], 1);

@@ -81,6 +81,28 @@ TEST_F(SequenceTest, MatchesPosesWithinAMillisecond) {
   EXPECT_EQ(sequence.odometry.size(), 2u);
 }
 
+TEST_F(SequenceTest, InterpolatesBetweenNearPoses) {
+  folder_.Write("odometry.txt", "-0.1 0 0 0 0 0 0 1\n0.1 2 4 6 0 0 0 1\n0.3 4 4 6 0 0 0 1\n");
+  Sequence sequence = Load();
+  ASSERT_TRUE(sequence.T_odom_camera[0] && sequence.T_odom_camera[1]);
+  EXPECT_TRUE(sequence.T_odom_camera[0]->translation().isApprox(Eigen::Vector3d(1, 2, 3)));
+  EXPECT_TRUE(sequence.T_odom_camera[1]->translation().isApprox(Eigen::Vector3d(3, 4, 6)));
+  EXPECT_EQ(sequence.coverage.interpolated, 2);
+  sequence = LoadSequence(folder_.path(), kCategories, {.tolerance = 0.11, .max_gap = 0});
+  EXPECT_EQ(sequence.coverage.interpolated, 0);
+  EXPECT_EQ(sequence.coverage.images_with_pose, 2);
+}
+
+TEST_F(SequenceTest, ReadsOdometryInOtherFormats) {
+  folder_.Write("odometry.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n0 -1 0 7 1 0 0 8 0 0 1 9\n");
+  Sequence sequence = Load();
+  EXPECT_EQ(sequence.odometry[1].timestamp, 0.2);
+  EXPECT_TRUE(sequence.T_odom_camera[1]->translation().isApprox(Eigen::Vector3d(7, 8, 9)));
+  folder_.Write("odometry.txt", "#timestamp,p,q\n0,1,2,3,1,0,0,0\n200000000,4,5,6,1,0,0,0\n");
+  sequence = Load();
+  EXPECT_TRUE(sequence.T_odom_camera[1]->translation().isApprox(Eigen::Vector3d(4, 5, 6)));
+}
+
 TEST_F(SequenceTest, NeedsNoOdometry) {
   std::filesystem::remove(folder_ / "odometry.txt");
   const Sequence sequence = Load();
@@ -164,6 +186,7 @@ TEST_F(SequenceTest, ReportsBadOdometry) {
   ExpectErrorWith("odometry.txt", "0 0 0 inf 0 0 0 1\n", {"odometry.txt:1", "finite"});
   ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", {"odometry.txt:2", "line 1"});
   ExpectErrorWith("odometry.txt", "7 0 0 0 0 0 0 1\n", {"odometry.txt:1", "1 ms"});
+  ExpectErrorWith("odometry.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n", {"1 poses", "2 stamps"});
   ExpectErrorWith("odometry.txt", "# nothing\n", {"has no pose"});
 }
 
@@ -175,6 +198,9 @@ TEST(SequenceOnRealData, LoadsTheSharedSequences) {
   const Sequence kitchen = LoadSequence(folder / "redkitchen_a", kCategories);
   EXPECT_EQ(kitchen.images.size(), 250u);
   EXPECT_TRUE(kitchen.T_odom_camera.back());
+  EXPECT_EQ(kitchen.coverage.images_with_pose, 250);
+  EXPECT_EQ(kitchen.coverage.interpolated, 0);
+  EXPECT_EQ(kitchen.coverage.gaps, 0);
 }
 
 }  // namespace

@@ -49,11 +49,24 @@ void WriteOverlay(const std::filesystem::path& folder, size_t index, const cv::M
   WritePicture(folder / "overlays" / fmt::format("{:06}.jpg", index), overlay);
 }
 
+void NoteOdometryGaps(const Sequence& sequence) {
+  const OdometryCoverage& c = sequence.coverage;
+  if (c.poses == 0) return;
+  if (c.interpolated > 0) {
+    fmt::print(stderr, "armature: {}: {} of {} images take a pose between two of the odometry's\n",
+               sequence.name, c.interpolated, c.images);
+  }
+  if (c.gaps > 0) {
+    fmt::print(stderr, "armature: {}: {} of {} images have no odometry; gaps: {}, the longest {:.2f} s\n",
+               sequence.name, c.images - c.images_with_pose, c.images, c.gaps, c.longest_gap);
+  }
+}
+
 // Until there is a map, the trajectory is the odometry in metres: its own, or scaled as the objects tell.
 void WriteTrajectories(const Sequence& sequence, const FramePipeline& pipeline, RunWriter& writer) {
   std::vector<TimedPose> scaled = sequence.odometry;
-  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().value_or(1);
-  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale()) {
+  const double scale = sequence.odometry_metric ? 1 : pipeline.OdometryScale().scale;
+  if (!sequence.odometry_metric && !sequence.odometry.empty() && !pipeline.OdometryScale().IsKnown()) {
     fmt::print(stderr,
                "armature: {}: the objects do not tell the odometry's scale; trajectory.txt keeps its unit\n",
                sequence.name);
@@ -75,6 +88,7 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   writer.WriteConfig(settings.config_yaml);
   FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up);
   const size_t count = FrameCount(sequence, settings.frames);
+  NoteOdometryGaps(sequence);
   {
     Progress progress(sequence.name + ": frames", static_cast<long>(count));
     for (size_t i = 0; i < count; ++i) {
@@ -97,7 +111,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   WriteTrajectories(sequence, pipeline, writer);
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
-                 .preset = settings.preset});
+                 .preset = settings.preset,
+                 .odometry = sequence.coverage});
   return {sequence.name, folder, writer.counts(), writer.statistics()};
 }
 

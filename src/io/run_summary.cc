@@ -41,6 +41,15 @@ Json CountsJson(const RunCounts& counts) {
           {"observations", observations}};
 }
 
+Json OdometryJson(const OdometryCoverage& coverage) {
+  return {{"poses", coverage.poses},
+          {"images", coverage.images},
+          {"images_with_pose", coverage.images_with_pose},
+          {"interpolated", coverage.interpolated},
+          {"gaps", coverage.gaps},
+          {"longest_gap_s", Rounded(coverage.longest_gap)}};
+}
+
 Json SkippedJson(const RunCounts& counts) {
   Json skipped = Json::array();
   for (const SkippedImage& image : counts.skipped) {
@@ -67,6 +76,7 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
       {"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}, {"compiler", build.compiler}};
   json["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}};
   json["counts"] = CountsJson(counts);
+  json["odometry"] = OdometryJson(summary.odometry);
   json["skipped"] = SkippedJson(counts);
   json["stages_ms"] = StagesJson(statistics);  // wall clock a frame; total is without load
   json["wall_seconds"] = Rounded(wall_seconds);

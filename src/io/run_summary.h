@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/stage_statistics.h"
+#include "odometry/odometry.h"
 #include "resection/object_estimate.h"
 
 namespace armature {
@@ -36,6 +37,7 @@ struct RunSummary {
   std::string sequence_folder{};  // absolute, empty: not known
   std::string preset;             // configuration that the run started from
   int threads = 1;
+  OdometryCoverage odometry{};  // of the whole sequence
 };
 
 // The text of summary.json, with `"complete": true`.

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
 #include "io/errors.h"
+#include "io/trajectory_formats.h"
 
 namespace armature {
 namespace {
@@ -19,30 +20,30 @@ void CheckFolder(const std::filesystem::path& folder) {
                   folder.string(), exists ? "is not a folder" : "does not exist"));
 }
 
-// The odometry's pose at every image's stamp.
-std::vector<std::optional<Eigen::Isometry3d>> PosesOfImages(const std::vector<ImageEntry>& images,
-                                                            const std::vector<TimedPose>& odometry) {
-  std::vector<std::optional<Eigen::Isometry3d>> poses(images.size());
-  for (size_t i = 0; i < images.size(); ++i) {
-    const std::optional<size_t> index = IndexOfStamp(odometry, images[i].timestamp);
-    if (index) poses[i] = odometry[*index].pose;
-  }
-  return poses;
+std::vector<double> StampsOf(const std::vector<ImageEntry>& images) {
+  std::vector<double> stamps;
+  stamps.reserve(images.size());
+  for (const ImageEntry& image : images) stamps.push_back(image.timestamp);
+  return stamps;
 }
 
-void LoadOdometry(const std::filesystem::path& file, Sequence* sequence) {
-  if (std::filesystem::exists(file)) sequence->odometry = ReadTumTrajectory(file);
-  sequence->T_odom_camera = PosesOfImages(sequence->images, sequence->odometry);
-  const bool matches = std::any_of(sequence->T_odom_camera.begin(), sequence->T_odom_camera.end(),
-                                   [](const auto& pose) { return pose.has_value(); });
-  if (sequence->odometry.empty() || matches) return;
-  throw InputError(fmt::format("{}:{}: no pose is within 1 ms of an image; use the stamps of rgb.txt",
-                               file.string(), sequence->odometry.front().line));
+void LoadOdometry(const std::filesystem::path& file, const OdometryOptions& options, Sequence* sequence) {
+  const std::vector<double> stamps = StampsOf(sequence->images);
+  if (std::filesystem::exists(file)) sequence->odometry = ReadTrajectory(file, {.stamps = stamps});
+  OdometryAtImages at_images = PosesAtImages(sequence->odometry, stamps, options);
+  sequence->T_odom_camera = std::move(at_images.T_odom_camera);
+  sequence->coverage = at_images.coverage;
+  if (sequence->odometry.empty() || sequence->coverage.images_with_pose > 0) return;
+  throw InputError(
+      fmt::format("{}:{}: no pose is within {:g} ms of an image, and no two at most {:g} s apart are around "
+                  "one; use the stamps of rgb.txt",
+                  file.string(), sequence->odometry.front().line, 1e3 * options.tolerance, options.max_gap));
 }
 
 }  // namespace
 
-Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories) {
+Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories,
+                      const OdometryOptions& odometry) {
   CheckFolder(folder);
   const SequenceSettings settings = ReadSequenceSettings(folder / "sequence.yaml");
   Sequence sequence;
@@ -55,7 +56,7 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   sequence.images = ReadImageList(folder / "rgb.txt");
   sequence.detections =
       ReadDetections(folder / "detections.csv", sequence.images, sequence.camera, categories);
-  LoadOdometry(folder / "odometry.txt", &sequence);
+  LoadOdometry(folder / "odometry.txt", odometry, &sequence);
   return sequence;
 }
 

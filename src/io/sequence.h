@@ -12,6 +12,7 @@
 #include "association/detection.h"
 #include "geometry/camera.h"
 #include "io/trajectory.h"
+#include "odometry/odometry.h"
 
 namespace armature {
 
@@ -39,15 +40,19 @@ struct Sequence {
   std::filesystem::path folder;
   std::vector<ImageEntry> images;                  // by growing stamps, at least one
   std::vector<std::vector<Detection>> detections;  // per image, in the order of the file; angles in radians
-  std::vector<std::optional<Eigen::Isometry3d>> T_odom_camera;  // per image, where the odometry has its stamp
-  std::vector<TimedPose> odometry;                              // the whole file; empty when there is none
+  // Per image: where the odometry has its stamp, or neighbours near enough to interpolate between.
+  std::vector<std::optional<Eigen::Isometry3d>> T_odom_camera;
+  std::vector<TimedPose> odometry;  // the whole file; empty when there is none
+  OdometryCoverage coverage;        // of the images by the odometry
 };
 
 // Reads the folder. Throws InputError naming file, line and remedy for a missing or malformed file, an
 // unknown key, column or category, a listed image that does not exist, stamps that do not grow, a detection
-// without image, a box outside its image, a score outside 0..1, or an odometry that has the stamp of no
-// image. `categories`: names of the known category models.
-Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories);
+// without image, a box outside its image, a score outside 0..1, or an odometry that gives no image a pose.
+// odometry.txt may be in the TUM or EuRoC format, or in KITTI's with one line an image. `categories`: names
+// of the known category models.
+Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories,
+                      const OdometryOptions& odometry = {});
 
 // The parts of LoadSequence.
 SequenceSettings ReadSequenceSettings(const std::filesystem::path& file);

@@ -3,8 +3,8 @@
 //
 // Each round matches the segments of every observation anew, to the wireframe where the map has it; replaces
 // the observation's factor by these matches' residuals (lines and box), linearised there; and solves the
-// graph. With the matches held, that is Gauss and Newton on the joint line problem, but a factor is 6 + B rows
-// however many lines there are.
+// graph. With the matches held, that is Gauss and Newton on the joint line problem, but a factor is 6 + B
+// rows however many lines there are.
 #pragma once
 
 #include <vector>
@@ -15,23 +15,26 @@
 
 namespace armature {
 
+// Rounds go from coarse to fine: first a wide gate and a flat loss, so that the boxes draw a wireframe that
+// lies on a table's seam to the table's edge, then the lines decide.
 struct RefinementOptions {
-  int rounds = 8;                // 0: none
-  double first_gate_pixels = 8;  // distance gate of the first round's matches
-  double last_gate_pixels = 4;   // and of the last's
+  int rounds = 10;                   // 0: none
+  int iterations = 1;                // of the solver in each round
+  double first_gate_pixels = 24;     // distance gate of the first round's matches; their sigma goes with it
+  double last_gate_pixels = 4;       // and of the last's
   double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first
-  double gate_angle_deg = 6;     // degrees
-  int min_edges = 2;             // matched edges, fewer say nothing
-  FactorNoise noise{.measurement_scale = 3,
-                    .depth_sigma = 0.01,
-                    .lateral_sigma = 0.01,
+  double gate_angle_deg = 6;         // degrees
+  int min_edges = 2;                 // matched edges, fewer say nothing
+  FactorNoise noise{.measurement_scale = 2.5,
+                    .depth_sigma = 0.005,
+                    .lateral_sigma = 0.005,
                     .rotation_sigma_deg = 1,
                     .shape_sigma = 0.2};
 };
 
 // Replaces graph.observations: a factor for each observation that phi gives an object and that has matches
-// within the gate.
-void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, double gate_pixels,
+// within the gate of this round.
+void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, int round,
                  const BoxOptions& box, const ResectionOptions& resection, const RefinementOptions& options,
                  MapGraph& graph);
 

@@ -15,22 +15,6 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 using RowMajorMap = Eigen::Map<RowMajor>;
 using Matrix3by7 = Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>>;
 
-// The lowest end of an edge, as a function of the shape.
-ShapePoint LowestPoint(const GraphObject& object) {
-  const Wireframe wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
-  EdgeEnd lowest;
-  double lowest_y = 1e9;
-  for (int edge = 0; edge < wireframe.edges(); ++edge) {
-    for (int end = 0; end < 2; ++end) {
-      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
-        lowest_y = y;
-        lowest = {edge, end};
-      }
-    }
-  }
-  return PointOnEdge(*object.model, lowest.edge, lowest.end - 0.5);
-}
-
 }  // namespace
 
 // Scale: Z^-1 X_i^-1 X_j = (R_Z^T R, R_Z^T (t - exp(s) t_Z)), so its translation moves by -R_Z^T exp(s) t_Z
@@ -92,6 +76,21 @@ bool UprightCost::Evaluate(double const* const* parameters, double* residuals, d
     Eigen::Map<Eigen::Matrix3d>{jacobians[1]} = -Eigen::Matrix3d::Identity() / sigma_;
   }
   return true;
+}
+
+ShapePoint LowestPoint(const GraphObject& object) {
+  const Wireframe wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
+  EdgeEnd lowest;
+  double lowest_y = 1e9;
+  for (int edge = 0; edge < wireframe.edges(); ++edge) {
+    for (int end = 0; end < 2; ++end) {
+      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
+        lowest_y = y;
+        lowest = {edge, end};
+      }
+    }
+  }
+  return PointOnEdge(*object.model, lowest.edge, lowest.end - 0.5);
 }
 
 FloorCost::FloorCost(const GraphObject& object, double sigma) : sigma_(sigma) {

@@ -12,7 +12,6 @@ namespace armature {
 
 struct MapObservation {
   ObjectView view;         // without memory, floor and occluders
-  BoxSides sides{};        // of the box, as resection took them
   int track = -1;          // what the front end takes it to be the continuation of; -1: it was not sure of it
   PoseAndShape measured;   // what this image alone says
   ImageEvidence evidence;  // of lines and box, about `measured`

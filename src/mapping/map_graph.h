@@ -22,6 +22,14 @@
 
 namespace armature {
 
+// The odometry's scale before the map is solved. What is Gaussian is its logarithm.
+struct ScaleEstimate {
+  double scale = 1;  // metres a unit of odometry
+  double sigma = 3;  // standard deviation of its logarithm
+
+  bool IsKnown() const { return sigma < 0.1; }
+};
+
 struct GraphObject {
   const CategoryModel* model = nullptr;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
@@ -31,9 +39,9 @@ struct GraphObject {
 // The odometry's step between two cameras: e = Log(Z_ij^-1 X_i^-1 X_j), X = T_world_camera, Z_ij its relative
 // pose with the translation times exp(s), s = (1 - share) s[knot] + share s[knot + 1].
 struct OdometryFactor {
-  int from = 0, to = 0;                                           // cameras
-  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();    // the odometry's unit
-  double rotation_sigma = 1, translation_sigma = 1;               // radians, metres
+  int from = 0, to = 0;                                         // cameras
+  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();  // the odometry's unit
+  double rotation_sigma = 1, translation_sigma = 1;             // radians, metres
   int knot = 0;
   double share = 0;
 };
@@ -53,8 +61,9 @@ struct MapGraph {
   std::vector<OdometryFactor> odometry;
   std::vector<ObjectFactor> observations;
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
-  double expected_log_scale = 0;  // before the map
-  bool scale_is_known = false;    // the odometry is metric: log_scale is held
+  ScaleEstimate expected_scale;
+  bool scale_is_held = false;          // log_scale stays as it is
+  bool cameras_are_held = false;       // only objects move
   Eigen::Vector3d up_world{0, -1, 0};  // unit
   double up_sigma = 0.05;              // radians, of up_world as given
 };

@@ -61,13 +61,16 @@ double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T
   return std::atan2(R_a_b(0, 2), R_a_b(2, 2));
 }
 
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, const OdometryOptions& options) {
+MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
+                         const StepNoise& noise, double knot_seconds, double up_sigma_deg) {
   MapGraph graph;
+  graph.expected_scale = expected_scale;
+  graph.scale_is_held = expected_scale.sigma <= 0;
+  const double scale = expected_scale.scale;
   const double start = frames.front().timestamp;
   const double seconds = frames.back().timestamp - start;
-  const int knots = 2 + static_cast<int>(seconds / options.knot_seconds);
+  const int knots = 2 + static_cast<int>(seconds / knot_seconds);
   graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
-  graph.expected_log_scale = std::log(scale);
   for (size_t i = 0; i < frames.size(); ++i) {
     Eigen::Isometry3d pose = frames[i].T_odom_camera;
     pose.translation() *= scale;
@@ -77,20 +80,22 @@ MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, cons
     step.from = static_cast<int>(i) - 1;
     step.to = static_cast<int>(i);
     step.T_from_to = frames[i - 1].T_odom_camera.inverse() * frames[i].T_odom_camera;
-    step.rotation_sigma = options.rotation_sigma_deg * kDegree;
-    step.translation_sigma = options.translation_sigma * scale * step.T_from_to.translation().norm() + options.translation_floor;
-    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / options.knot_seconds;
+    step.rotation_sigma = noise.rotation_sigma_deg * kDegree;
+    step.translation_sigma =
+        noise.translation_sigma * scale * step.T_from_to.translation().norm() + noise.translation_floor;
+    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / knot_seconds;
     step.knot = std::clamp(static_cast<int>(at), 0, knots - 2);
     step.share = at - step.knot;
     graph.odometry.push_back(step);
   }
   const MapFrame& last = frames.back();  // what it knows of up, all frames before have told
   graph.up_world = last.T_odom_camera.linear() * last.up_camera;
-  graph.up_sigma = std::max(last.up_sigma, options.up_sigma_deg * kDegree);
+  graph.up_sigma = std::max(last.up_sigma, up_sigma_deg * kDegree);
   return graph;
 }
 
-ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double recent_seconds, int min_observations) {
+ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double recent_seconds,
+                                int min_observations) {
   struct Piece {
     double last_seen = 0;
     std::vector<std::pair<size_t, size_t>> members;  // frame, observation
@@ -104,7 +109,8 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
       const int track = frames[i].observations[j].track;
       if (track < 0) continue;
       const auto found = piece_of_track.find(track);
-      if (found == piece_of_track.end() || frames[i].timestamp - pieces[found->second].last_seen > recent_seconds) {
+      if (found == piece_of_track.end() ||
+          frames[i].timestamp - pieces[found->second].last_seen > recent_seconds) {
         piece_of_track[track] = pieces.size();
         pieces.emplace_back();
       }
@@ -122,7 +128,8 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
   return phi;
 }
 
-void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise, MapGraph& graph) {
+void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise,
+                MapGraph& graph) {
   std::map<int, std::vector<PlacedView>> views;
   for (size_t i = 0; i < frames.size(); ++i) {
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
@@ -134,7 +141,8 @@ void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& 
   }
   for (const auto& [number, of_object] : views) {
     const PlacedView& medoid = Medoid(of_object);
-    graph.objects.push_back({medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
+    graph.objects.push_back(
+        {medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
     for (const PlacedView& view : of_object) {
       graph.observations.push_back(FactorOfView(view, graph.objects.back(), noise));
       graph.observations.back().object = number;

@@ -8,24 +8,26 @@
 
 namespace armature {
 
-struct OdometryOptions {
-  double rotation_sigma_deg = 0.1;    // degrees, of each step
-  double translation_sigma = 0.03;    // share of the step's length
-  double translation_floor = 0.001;   // metres, added to it
-  double knot_seconds = 2;            // between the knots of the scale
-  double up_sigma_deg = 1;            // degrees: least standard deviation of up
+// Of the odometry, each step.
+struct StepNoise {
+  double rotation_sigma_deg = 0.2;   // degrees
+  double translation_sigma = 0.015;  // share of the step's length
+  double translation_floor = 0.001;  // metres, added to it
 };
 
-// Cameras, odometry factors, scale and up; no objects. `scale`: metres a unit of odometry.
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, double scale, const OdometryOptions& options);
+// Cameras, odometry factors, scale (held where its sigma is 0) and up; no objects.
+MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
+                         const StepNoise& noise, double knot_seconds, double up_sigma_deg);
 
-// The front end's tracks, broken where they were not seen for longer than `recent_seconds`, numbered from 0 in
-// the order of their first observation. Pieces of fewer than `min_observations` are left out (-1).
-ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double recent_seconds, int min_observations);
+// The front end's tracks, broken where they were not seen for longer than `recent_seconds`, numbered from 0
+// in the order of their first observation. Pieces of fewer than `min_observations` are left out (-1).
+ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double recent_seconds,
+                                int min_observations);
 
 // Adds the objects of phi to the graph, each where most of its single views agree, and their observations.
 // Views that see the front where most see the back say nothing of the turn.
-void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise, MapGraph& graph);
+void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise,
+                MapGraph& graph);
 
 // How far b is turned about its y axis against a, radians.
 double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b);

@@ -4,8 +4,10 @@
 #include <ceres/ceres.h>
 #include <ceres/normal_prior.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "geometry/rotation.h"
@@ -15,6 +17,18 @@
 
 namespace armature {
 namespace {
+
+// The mean height along up of what the objects stand on, metres.
+double FloorBelow(const MapGraph& graph) {
+  double sum = 0, count = 0;
+  for (const GraphObject& object : graph.objects) {
+    if (!object.model->spec.stands_on_floor) continue;
+    const ShapePoint lowest = LowestPoint(object);
+    sum += graph.up_world.dot(object.T_world_object * (lowest.X0 + lowest.G * object.coefficients));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
 
 // The unknowns as Ceres sees them.
 struct Blocks {
@@ -30,6 +44,7 @@ struct Blocks {
       objects.push_back(ToBlock(object.T_world_object));
       shapes.push_back(object.coefficients);
     }
+    floor = FloorBelow(graph);
   }
 };
 
@@ -44,14 +59,18 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
   }
   for (PoseBlock& camera : blocks.cameras) problem.AddParameterBlock(camera.data(), 7, new PoseManifold);
   problem.SetParameterBlockConstant(blocks.cameras.front().data());
+  if (graph.cameras_are_held) {
+    for (PoseBlock& camera : blocks.cameras) problem.SetParameterBlockConstant(camera.data());
+  }
   for (double& value : blocks.log_scale) {
     problem.AddParameterBlock(&value, 1);
-    if (graph.scale_is_known) problem.SetParameterBlockConstant(&value);
+    if (graph.scale_is_held) problem.SetParameterBlockConstant(&value);
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
     // Together, the knots' priors weigh as one.
-    const double sigma = options.scale_sigma * std::sqrt(static_cast<double>(blocks.log_scale.size()));
-    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(graph.expected_log_scale);
+    const double sigma = std::max(graph.expected_scale.sigma, options.min_scale_sigma) *
+                         std::sqrt(static_cast<double>(blocks.log_scale.size()));
+    const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(std::log(graph.expected_scale.scale));
     problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
     if (k > 0) {
       problem.AddResidualBlock(new RandomWalkCost(options.scale_drift_sigma), nullptr,
@@ -117,20 +136,47 @@ ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
   return solver;
 }
 
+void AddFactors(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                ceres::Problem& problem) {
+  AddOdometry(graph, options, blocks, problem);
+  AddObjects(graph, options, blocks, problem);
+  AddObservations(graph, options, blocks, problem);
+}
+
 }  // namespace
 
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   Blocks blocks(graph);
   ceres::Problem problem;
-  AddOdometry(graph, options, blocks, problem);
-  AddObjects(graph, options, blocks, problem);
-  AddObservations(graph, options, blocks, problem);
+  AddFactors(graph, options, blocks, problem);
   ceres::Solver::Summary summary;
   const OneThread one_thread;
   ceres::Solve(SolverOptions(options), &problem, &summary);
   if (summary.IsSolutionUsable()) Store(blocks, graph);
   return {summary.initial_cost, summary.final_cost,
           summary.num_successful_steps + summary.num_unsuccessful_steps};
+}
+
+std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& options) {
+  if (graph.scale_is_held) return std::nullopt;
+  Blocks blocks(graph);
+  ceres::Problem problem;
+  AddFactors(graph, options, blocks, problem);
+  std::vector<std::pair<const double*, const double*>> pairs;
+  for (const double& a : blocks.log_scale) {
+    for (const double& b : blocks.log_scale) {
+      if (&a <= &b) pairs.emplace_back(&a, &b);
+    }
+  }
+  ceres::Covariance covariance{ceres::Covariance::Options()};
+  if (!covariance.Compute(pairs, &problem)) return std::nullopt;
+  double sum = 0;
+  for (const auto& [a, b] : pairs) {
+    double value = 0;
+    covariance.GetCovarianceBlock(a, b, &value);
+    sum += a == b ? value : 2 * value;
+  }
+  return std::sqrt(sum) / static_cast<double>(blocks.log_scale.size());
 }
 
 }  // namespace armature

@@ -2,17 +2,19 @@
 // The optimum of the map's factor graph (paper 3.5), with Ceres.
 #pragma once
 
+#include <optional>
+
 #include "mapping/map_graph.h"
 
 namespace armature {
 
 struct MapSolverOptions {
   int max_iterations = 20;
-  double loss_scale = 3;            // of the Cauchy loss on an object factor, per square root of its 6 + B rows
-  double shape_weight = 1;          // multiplies the coefficients in the category's shape prior
-  double upright_sigma_deg = 1;     // degrees: of an object's y axis about up; 0: no such factor
-  double floor_sigma = 0.02;        // metres: of the floor below an object that stands on it; 0: none
-  double scale_sigma = 0.7;         // of the scale's logarithm about its initial value
+  double loss_scale = 3;         // of the Cauchy loss on an object factor, per square root of its 6 + B rows
+  double shape_weight = 1.5;     // multiplies the coefficients in the category's shape prior
+  double upright_sigma_deg = 1;  // degrees: of an object's y axis about up; 0: no such factor
+  double floor_sigma = 0.02;     // metres: of the floor below an object that stands on it; 0: none
+  double min_scale_sigma = 0.1;  // of the scale's logarithm: its expected value is never surer
   double scale_drift_sigma = 0.02;  // of its change from knot to knot
 };
 
@@ -23,5 +25,9 @@ struct MapSolution {
 
 // Improves the graph's unknowns where they stand. One thread: same graph, same bytes.
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options);
+
+// Standard deviation of the mean of graph.log_scale, everything else marginalised; none where the graph does
+// not determine it.
+std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& options);
 
 }  // namespace armature

@@ -41,7 +41,8 @@ int Together(const Seen& a, const Seen& b) {
 }
 
 OrientedBox BoxOf(const GraphObject& object) {
-  return {object.T_world_object, BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
+  return {object.T_world_object,
+          BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
 }
 
 // Travelled length in metres at each camera; turning counts as well, a metre for a radian.
@@ -49,7 +50,8 @@ std::vector<double> Travelled(const MapGraph& graph) {
   std::vector<double> travelled(1, 0.0);
   for (size_t i = 1; i < graph.T_world_camera.size(); ++i) {
     const Eigen::Isometry3d step = graph.T_world_camera[i - 1].inverse() * graph.T_world_camera[i];
-    travelled.push_back(travelled.back() + step.translation().norm() + Eigen::AngleAxisd(step.linear()).angle());
+    travelled.push_back(travelled.back() + step.translation().norm() +
+                        Eigen::AngleAxisd(step.linear()).angle());
   }
   return travelled;
 }
@@ -73,14 +75,15 @@ std::vector<double> StampsOf(const std::vector<MapFrame>& frames) {
   return stamps;
 }
 
-// How far the odometry drifts from one object to the other at best: by way of others that tie early frames to late
-// ones, a loop that has been closed shortens the way (Floyd and Warshall).
+// How far the odometry drifts from one object to the other at best: by way of others that tie early frames to
+// late ones, a loop that has been closed shortens the way (Floyd and Warshall).
 Eigen::MatrixXd WaysBetween(const std::vector<Seen>& seen, const std::vector<double>& travelled) {
   const auto n = static_cast<Eigen::Index>(seen.size());
   Eigen::MatrixXd way(n, n);
   for (Eigen::Index a = 0; a < n; ++a) {
     for (Eigen::Index b = 0; b < n; ++b) {
-      way(a, b) = a == b ? 0 : LeastBetween(seen[static_cast<size_t>(a)], seen[static_cast<size_t>(b)], travelled);
+      way(a, b) =
+          a == b ? 0 : LeastBetween(seen[static_cast<size_t>(a)], seen[static_cast<size_t>(b)], travelled);
     }
   }
   for (Eigen::Index via = 0; via < n; ++via) {
@@ -92,14 +95,16 @@ Eigen::MatrixXd WaysBetween(const std::vector<Seen>& seen, const std::vector<dou
 }
 
 // The median, over the views of b, of the squared Mahalanobis distance per row at which they see a.
-double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, double turn, bool flipped, const DriftNoise& drift) {
+double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, double turn, bool flipped,
+                const DriftNoise& drift) {
   std::vector<double> distances;
   const size_t step = 1 + b.factors.size() / kAskedFactors;
   for (size_t k = 0; k < b.factors.size(); k += step) {
     ObjectFactor factor = *b.factors[k];
     if (turn != 0) Turn(turn, factor);
     if (flipped) ForgetRotation(factor);
-    const Eigen::Isometry3d T_camera_a = graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * a.T_world_object;
+    const Eigen::Isometry3d T_camera_a =
+        graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * a.T_world_object;
     const Eigen::VectorXd residual = Residual(WithDrift(factor, drift), {T_camera_a, a.coefficients});
     distances.push_back(residual.squaredNorm() / static_cast<double>(residual.size()));
   }
@@ -114,14 +119,17 @@ Box ProjectedBox(const Camera& camera, const GraphObject& object, const Eigen::I
   if (T_camera_object.translation().z() < 0.1) return {};
   ProjectedWireframe projected;
   const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
-  ProjectEdges(camera, WireframeFromCoefficients(*object.model, object.coefficients), T_camera_object, image, projected);
+  ProjectEdges(camera, WireframeFromCoefficients(*object.model, object.coefficients), T_camera_object, image,
+               projected);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   if (extremes[0].edge < 0) return {};
-  return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel, extremes[3].pixel - extremes[1].pixel};
+  return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
+          extremes[3].pixel - extremes[1].pixel};
 }
 
 // First and last stamps at which phi has each object.
-std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<MapFrame>& frames, const ObjectOfObservation& phi) {
+std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<MapFrame>& frames,
+                                             const ObjectOfObservation& phi) {
   std::vector<std::pair<double, double>> spans(objects, {1e18, -1e18});
   for (size_t i = 0; i < frames.size(); ++i) {
     for (const int object : phi[i]) {
@@ -136,8 +144,8 @@ std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<M
 
 }  // namespace
 
-std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames, std::optional<double> seconds_between,
-                             const ObjectAssociationOptions& options) {
+std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                             std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
   const std::vector<Seen> seen = SeenOf(graph);
   const Eigen::MatrixXd ways = WaysBetween(seen, Travelled(graph));
   const std::vector<double> stamps = StampsOf(frames);
@@ -146,7 +154,8 @@ std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>&
   for (size_t a = 0; a < seen.size(); ++a) {
     for (size_t b = 0; b < seen.size(); ++b) {
       const GraphObject &kept = graph.objects[a], &joined = graph.objects[b];
-      const bool more = seen[a].factors.size() > seen[b].factors.size() || (seen[a].factors.size() == seen[b].factors.size() && a < b);
+      const bool more = seen[a].factors.size() > seen[b].factors.size() ||
+                        (seen[a].factors.size() == seen[b].factors.size() && a < b);
       if (a == b || kept.model != joined.model || !more) continue;
       if (Together(seen[a], seen[b]) > options.together) continue;
       if (seconds_between && LeastBetween(seen[a], seen[b], stamps) > *seconds_between) continue;
@@ -186,16 +195,22 @@ void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi) {
   graph.objects.erase(graph.objects.begin() + join.joined);
 }
 
-ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames, const ObjectOfObservation& phi,
-                                        std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
+ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
+                                        const ObjectAssociationOptions& options) {
   const std::vector<std::pair<double, double>> spans = Spans(graph.objects.size(), frames, phi);
   ObjectOfObservation result;
   for (size_t i = 0; i < frames.size(); ++i) {
     const std::vector<MapObservation>& observations = frames[i].observations;
-    Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(observations.size()), static_cast<Eigen::Index>(graph.objects.size()), kForbidden);
+    Eigen::MatrixXd costs =
+        Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(observations.size()),
+                                  static_cast<Eigen::Index>(graph.objects.size()), kForbidden);
     for (size_t o = 0; o < graph.objects.size() && !observations.empty(); ++o) {
-      if (seconds_between && (frames[i].timestamp < spans[o].first - *seconds_between || frames[i].timestamp > spans[o].second + *seconds_between)) continue;
-      const Box expected = ProjectedBox(*observations.front().view.camera, graph.objects[o], graph.T_world_camera[i]);
+      if (seconds_between && (frames[i].timestamp < spans[o].first - *seconds_between ||
+                              frames[i].timestamp > spans[o].second + *seconds_between))
+        continue;
+      const Box expected =
+          ProjectedBox(*observations.front().view.camera, graph.objects[o], graph.T_world_camera[i]);
       for (size_t j = 0; j < observations.size(); ++j) {
         if (observations[j].view.model != graph.objects[o].model) continue;
         const Box& box = observations[j].view.detection.box;

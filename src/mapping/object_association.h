@@ -14,31 +14,32 @@
 namespace armature {
 
 struct ObjectAssociationOptions {
-  double gate = 4;           // squared Mahalanobis distance per row that joins two objects
-  double overlap = 0.3;      // or this intersection over union of their boxes: two things cannot be in one place
-  int together = 2;          // frames that may show both of them nevertheless
-  double drift = 0.05;       // metres a metre travelled: of the odometry since an object was last seen
-  double turn_drift_deg = 1; // degrees a metre travelled
-  double box_overlap = 0.3;  // intersection over union of a detection's box and an object's projection
+  double gate = 4;       // squared Mahalanobis distance per row that joins two objects
+  double overlap = 0.3;  // or this intersection over union of their boxes: two things cannot be in one place
+  int together = 2;      // frames that may show both of them nevertheless
+  double drift = 0.05;   // metres a metre travelled: of the odometry since an object was last seen
+  double turn_drift_deg = 1;  // degrees a metre travelled
+  double box_overlap = 0.3;   // intersection over union of a detection's box and an object's projection
 };
 
 struct Join {
   int kept = 0, joined = 0;  // objects
-  double turn = 0;           // radians: the joined object's own front is turned by this against the kept one's
-  bool flipped = false;      // fronts disagree though neither is symmetric
+  double turn = 0;       // radians: the joined object's own front is turned by this against the kept one's
+  bool flipped = false;  // fronts disagree though neither is symmetric
 };
 
 // The two objects of the graph that agree best and are one; none when no two are. `seconds_between` limits it
 // to pairs seen within that time of each other (without loop closure); none: no limit.
-std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames, std::optional<double> seconds_between,
-                             const ObjectAssociationOptions& options);
+std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                             std::optional<double> seconds_between, const ObjectAssociationOptions& options);
 
 // Makes one object of two: observations, factors, phi; later objects move up.
 void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi);
 
-// Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame. Objects
-// are candidates within `seconds_between` of the observations that phi gives them now.
-ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames, const ObjectOfObservation& phi,
-                                        std::optional<double> seconds_between, const ObjectAssociationOptions& options);
+// Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame.
+// Objects are candidates within `seconds_between` of the observations that phi gives them now.
+ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
+                                        const ObjectAssociationOptions& options);
 
 }  // namespace armature

@@ -31,20 +31,21 @@ Eigen::MatrixXd NoiseCovariance(const FactorNoise& noise, const Eigen::Vector3d&
 //   H' = H - H (H + P)^-1 H = P (H + P)^-1 H,   g' = P (H + P)^-1 g.
 // Needs no inverse of H, which one image leaves nearly singular.
 Quadratic WithNoise(const Quadratic& quadratic, const Eigen::MatrixXd& noise_covariance) {
-  const Eigen::MatrixXd P = noise_covariance.inverse();
-  const Eigen::MatrixXd PS = P * (quadratic.H + P).inverse();
-  const Eigen::MatrixXd H = PS * quadratic.H;
-  return {0.5 * (H + H.transpose()), PS * quadratic.g};
+  const Eigen::Index size = quadratic.g.size();
+  const Eigen::MatrixXd P = noise_covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
+  const Eigen::LLT<Eigen::MatrixXd> sum(quadratic.H + P);
+  const Eigen::MatrixXd H = P * sum.solve(quadratic.H);
+  return {0.5 * (H + H.transpose()), P * sum.solve(quadratic.g)};
 }
 
-// A^T A = H and A^T b = g where H says anything.
+// A^T A = H and A^T b = g: with H = L L^T, A = L^T and b = L^-1 g. Directions that the image says nothing of
+// get next to no weight.
 void Factorise(const Quadratic& quadratic, ObjectFactor& factor) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(quadratic.H);
-  const double least = 1e-10 * std::max(eigen.eigenvalues().maxCoeff(), 1e-12);
-  const Eigen::VectorXd root = eigen.eigenvalues().cwiseMax(least).cwiseSqrt();
-  const Eigen::MatrixXd Vt = eigen.eigenvectors().transpose();
-  factor.A = root.asDiagonal() * Vt;
-  factor.b = root.cwiseInverse().asDiagonal() * (Vt * quadratic.g);
+  Eigen::MatrixXd H = quadratic.H;
+  H.diagonal().array() += 1e-9 * (1 + H.diagonal().maxCoeff());
+  const Eigen::LLT<Eigen::MatrixXd> cholesky(H);
+  factor.A = cholesky.matrixU();
+  factor.b = cholesky.matrixL().solve(quadratic.g);
 }
 
 }  // namespace
@@ -53,9 +54,8 @@ ObjectFactor MakeObjectFactor(const ImageEvidence& evidence, const PoseAndShape&
                               const FactorNoise& noise) {
   const Eigen::Index size = evidence.gradient.size();
   const double weight = 1 / (noise.measurement_scale * noise.measurement_scale);
-  Quadratic quadratic =
-      WithNoise({weight * evidence.information, weight * evidence.gradient},
-                NoiseCovariance(noise, at.T_camera_object.translation(), size));
+  Quadratic quadratic = WithNoise({weight * evidence.information, weight * evidence.gradient},
+                                  NoiseCovariance(noise, at.T_camera_object.translation(), size));
   ObjectFactor factor;
   factor.at = at;
   factor.at.T_camera_object.rotate(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()));

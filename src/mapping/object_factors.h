@@ -28,7 +28,8 @@ void ForgetRotation(ObjectFactor& factor);
 // The residual A d + b with the object seen at the pose and shape.
 Eigen::VectorXd Residual(const ObjectFactor& factor, const PoseAndShape& seen);
 
-// The same observation of the object turned about its y axis by the angle, radians: what was its front is not.
+// The same observation of the object turned about its y axis by the angle, radians: what was its front is
+// not.
 void Turn(double angle, ObjectFactor& factor);
 
 // How far the camera may be from where the graph has it.

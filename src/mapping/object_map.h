@@ -1,51 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Single-view estimates and odometry become one consistent metric map (paper 3.5).
+// The map while frames come in.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "mapping/joint_refinement.h"
-#include "mapping/map_frame.h"
-#include "mapping/map_graph.h"
-#include "mapping/map_objects.h"
-#include "mapping/map_solver.h"
-#include "mapping/object_association.h"
+#include "mapping/solve_map.h"
 
 namespace armature {
 
-struct MappingOptions {
-  int min_observations = 4;   // frames that agree before an object is kept
-  bool loop_closure = true;   // objects seen again later are the same objects; else only those seen recently
-  double recent_seconds = 3;  // what recently means
-  OdometryOptions odometry;
-  ObjectAssociationOptions association;
-  FactorNoise view_noise;  // of single-view estimates, before the refinement
-  MapSolverOptions solver;
-  RefinementOptions refinement;
-};
+// The factor graph is solved anew now and then, at a fixed cost a frame on average: whenever the frames have
+// become a quarter more. Between two solutions the cameras follow the odometry.
+class ObjectMap {
+ public:
+  ObjectMap(MappingOptions options, const BoxOptions& box, const ResectionOptions& resection)
+      : options_(std::move(options)), box_(box), resection_(resection) {}
 
-struct MapObject {
-  std::string id;  // "chair0": category and number, in the order in which they were first seen
-  const CategoryModel* model = nullptr;
-  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
-  Eigen::VectorXd coefficients;                                      // standard deviations
-  int observations = 0;                                              // detections that it explains
-};
+  // `expected_scale`: of the odometry, as the front end has learnt it so far.
+  void Add(MapFrame frame, const ScaleEstimate& expected_scale);
 
-struct Map {
-  std::vector<double> timestamps;                          // seconds, of the cameras
-  std::vector<Eigen::Isometry3d> T_world_camera;           // metres
-  std::vector<Eigen::Isometry3d> T_world_camera_odometry;  // the odometry alone, times the mean scale
-  std::vector<MapObject> objects;
-  ObjectOfObservation phi;        // indices into `objects`
-  double final_cost = 0;
-  std::vector<double> log_scale;  // of metres a unit of odometry, at the knots
-};
+  // Cameras and objects as known after the last frame; those of objects without the joint refinement.
+  const Map& current() const { return current_; }
 
-// The map of all frames, from scratch. `initial_scale`: metres a unit of odometry, as the front end has learnt
-// it. At least one frame.
-Map SolveMap(const std::vector<MapFrame>& frames, double initial_scale, const BoxOptions& box,
-             const ResectionOptions& resection, const MappingOptions& options);
+  const std::vector<MapFrame>& frames() const { return frames_; }
+
+  // The batch solution of all frames, with the joint refinement. At least one frame.
+  Map Solve(const ScaleEstimate& expected_scale) const;
+
+ private:
+  ScaleEstimate Expected(const ScaleEstimate& learnt) const;
+  void FollowOdometry(double scale);
+
+  MappingOptions options_;
+  BoxOptions box_;
+  ResectionOptions resection_;
+  std::vector<MapFrame> frames_;
+  Map current_;
+  double next_solve_ = 0;  // frames
+};
 
 }  // namespace armature

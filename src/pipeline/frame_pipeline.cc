@@ -50,7 +50,8 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       detector_(MakeLineDetector(options_.lines)),
       up_estimator_(options_.up),
       floor_(options_.floor),
-      tracks_(options_.tracks) {}
+      tracks_(options_.tracks),
+      map_(options_.mapping, options_.association.box, options_.resection) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given) {
   FrameInput input = given;
@@ -79,7 +80,8 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
   }
   const StageClock clock(result.times.mapping);
   LearnUp(result, estimations);
-  LearnObjects(input, result, views, tracks, estimations);
+  LearnObjects(input, views, estimations, tracks);
+  AddToMap(input, result, views, estimations, tracks);
   return result;
 }
 
@@ -128,35 +130,49 @@ std::vector<ObjectEstimation> FramePipeline::EstimateObjects(const FrameInput& i
   return estimations;
 }
 
-void FramePipeline::LearnObjects(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
-                                 const std::vector<int>& tracks,
-                                 const std::vector<ObjectEstimation>& estimations) {
-  MapFrame frame;
-  frame.timestamp = input.timestamp;
-  frame.up_camera = result.up_camera;
-  frame.up_sigma = result.up_sigma;
+void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+                                 const std::vector<ObjectEstimation>& estimations, std::vector<int>& tracks) {
   for (size_t i = 0; i < views.size(); ++i) {
-    frame.observations.push_back({views[i], estimations[i].sides, -1, estimations[i].measured.estimate, estimations[i].evidence});
-    frame.observations.back().view.memory.reset();
-    frame.observations.back().view.occluders.clear();
+    const int track = std::exchange(tracks[i], -1);
     const ObjectEstimate& estimate = estimations[i].estimate;
     if (estimate.status != EstimateStatus::kOk) continue;
     if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
     floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
     if (!Remembers(input)) continue;
-    frame.observations.back().track =
-        tracks_.Learn(tracks[i], input.timestamp, views[i], estimations[i], *input.T_odom_camera);
-  }
-  if (input.T_odom_camera) {
-    frame.T_odom_camera = *input.T_odom_camera;
-    map_frames_.push_back(std::move(frame));
+    tracks[i] = tracks_.Learn(track, input.timestamp, views[i], estimations[i], *input.T_odom_camera);
   }
   if (Remembers(input)) tracks_.Update(input.timestamp);
 }
 
-std::optional<Map> FramePipeline::SolveMap(const MappingOptions& o) const {
-  if (map_frames_.empty()) return std::nullopt;
-  return armature::SolveMap(map_frames_, tracks_.Scale().value_or(1), options_.association.box, options_.resection, o);
+void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& result,
+                             const std::vector<ObjectView>& views,
+                             const std::vector<ObjectEstimation>& estimations,
+                             const std::vector<int>& tracks) {
+  if (!input.T_odom_camera) return;
+  MapFrame frame;
+  frame.timestamp = input.timestamp;
+  frame.T_odom_camera = *input.T_odom_camera;
+  frame.up_camera = result.up_camera;
+  frame.up_sigma = result.up_sigma;
+  for (size_t i = 0; i < views.size(); ++i) {
+    frame.observations.push_back(
+        {views[i], tracks[i], estimations[i].measured.estimate, estimations[i].evidence});
+    ObjectView& view = frame.observations.back().view;
+    view.memory.reset();
+    view.occluders.clear();
+  }
+  map_.Add(std::move(frame), tracks_.Scale());
+}
+
+std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
+  if (map_.frames().empty()) return std::nullopt;
+  FinalMaps maps;
+  {
+    const StageClock clock(maps.milliseconds);
+    maps.map = map_.Solve(tracks_.Scale());
+  }
+  maps.by_odometry = PlaceByOdometry(map_.frames(), maps.map, options_.mapping);
+  return maps;
 }
 
 void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
@@ -172,10 +188,10 @@ void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
 
 std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
   const std::optional<Eigen::Isometry3d> last = std::exchange(last_T_odom_camera_, input.T_odom_camera);
-  const std::optional<double> scale = tracks_.Scale();
-  if (!last || !input.T_odom_camera || !scale) return std::nullopt;
+  const ScaleEstimate scale = tracks_.Scale();
+  if (!last || !input.T_odom_camera || !scale.IsKnown()) return std::nullopt;
   const Eigen::Vector3d up_odom = input.T_odom_camera->linear() * up.up_camera;
-  return *scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
+  return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
 
 UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {

@@ -10,6 +10,7 @@
 #include "category/category_model.h"
 #include "geometry/camera.h"
 #include "lines/line_detector.h"
+#include "mapping/object_map.h"
 #include "pipeline/floor_height.h"
 #include "pipeline/frame_result.h"
 #include "pipeline/options.h"
@@ -34,11 +35,19 @@ class FramePipeline {
   // categories.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
 
-  // Metres per unit of odometry as the objects seen so far tell; none before they do.
-  std::optional<double> OdometryScale() const { return tracks_.Scale(); }
+  // Of the odometry, as the objects seen so far tell.
+  ScaleEstimate OdometryScale() const { return tracks_.Scale(); }
 
-  // The map of all frames so far; none without odometry.
-  std::optional<Map> SolveMap(const MappingOptions& o) const;
+  // The map after the last frame; without odometry there is none, and it stays empty.
+  const Map& CurrentMap() const { return map_.current(); }
+
+  struct FinalMaps {
+    Map map;
+    Map by_odometry;          // the same objects placed by the odometry alone
+    double milliseconds = 0;  // to solve `map`
+  };
+  // The batch solution of all frames; none without odometry.
+  std::optional<FinalMaps> SolveMaps() const;
 
  private:
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
@@ -54,8 +63,11 @@ class FramePipeline {
   // Large furniture first: what is found hides what is behind it.
   std::vector<ObjectEstimation> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
                                                 StageTimes& times) const;
-  void LearnObjects(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
-                    const std::vector<int>& tracks, const std::vector<ObjectEstimation>& estimations);
+  // Hands back the numbers of the tracks that have learnt, -1 for detections that none was sure of.
+  void LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
+                    const std::vector<ObjectEstimation>& estimations, std::vector<int>& tracks);
+  void AddToMap(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
+                const std::vector<ObjectEstimation>& estimations, const std::vector<int>& tracks);
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 
@@ -67,7 +79,7 @@ class FramePipeline {
   UpEstimator up_estimator_;
   FloorHeight floor_;
   ObjectTracks tracks_;
-  std::vector<MapFrame> map_frames_;
+  ObjectMap map_;
   std::optional<Eigen::Isometry3d> last_T_odom_camera_;
 };
 

@@ -204,8 +204,7 @@ void Measure(const ObjectView& view, const Candidate& best, const AssociationOpt
     optimum = resected.estimate;
   }
   Project(alone, optimum, sides, projected);
-  result.measured =
-      MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
+  result.measured = MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
   result.evidence = EvidenceAt(alone, sides, best.matches, projected, optimum, association.box, resection);
 }
 
@@ -229,7 +228,6 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   Project(view, best->estimate, best->hypothesis.sides, projected);
   Measure(view, *best, association, resection, result);
   result.initial = best->hypothesis.start;
-  result.sides = best->hypothesis.sides;
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;
   result.estimate.status = Judge(view, *best, projected, association);

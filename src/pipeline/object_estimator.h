@@ -45,7 +45,6 @@ struct ObjectEstimation {
   Measurement measured;
   ImageEvidence evidence;  // the same again without up and shape statistics, about measured.estimate
   PoseAndShape initial;    // the winning hypothesis before resection
-  BoxSides sides{};        // of the box, as the winning hypothesis takes them
 };
 
 ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,

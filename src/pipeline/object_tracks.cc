@@ -143,7 +143,7 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
 }
 
 int ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
-                         const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
+                        const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera) {
   if (index < 0) {
     tracks_.push_back(NewTrack(*view.model));
     tracks_.back().id = started_++;
@@ -261,10 +261,7 @@ void ObjectTracks::TurnToBelief(Track& track) const {
   track.state(3) += M_PI;
 }
 
-std::optional<double> ObjectTracks::Scale() const {
-  if (units_information_ < 100) return std::nullopt;  // a tenth
-  return 1 / units_;
-}
+ScaleEstimate ObjectTracks::Scale() const { return {1 / units_, 1 / std::sqrt(units_information_)}; }
 
 void ObjectTracks::Update(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });

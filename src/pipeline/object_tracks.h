@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "association/object_view.h"
+#include "mapping/map_graph.h"
 #include "pipeline/object_estimator.h"
 
 namespace armature {
@@ -58,13 +59,13 @@ class ObjectTracks {
   std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
                                      const Eigen::Vector3d& up_camera) const;
 
-  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no other
-  // track has or had.
+  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no
+  // other track has or had.
   int Learn(int track, double timestamp, const ObjectView& view, const ObjectEstimation& estimation,
-             const Eigen::Isometry3d& T_odom_camera);
+            const Eigen::Isometry3d& T_odom_camera);
 
-  // Metres per unit of odometry as the objects tell, once its standard deviation is below a tenth of it.
-  std::optional<double> Scale() const;
+  // Metres per unit of odometry as the objects tell.
+  ScaleEstimate Scale() const;
 
   // Solves for positions, turns, shapes and scale; forgets what was not seen for long.
   void Update(double timestamp);
@@ -99,7 +100,7 @@ class ObjectTracks {
 
   TrackOptions options_;
   std::vector<Track> tracks_;
-  int started_ = 0;  // tracks so far
+  int started_ = 0;   // tracks so far
   double units_ = 1;  // u: units of odometry a metre
   double log_units_ = 0;
   double units_information_ = 0.1;  // of log u

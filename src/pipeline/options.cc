@@ -192,42 +192,80 @@ void AddResectionOptions(ResectionOptions& o, std::vector<OptionEntry>& t) {
 }
 
 void AddNoiseOptions(const std::string& key, FactorNoise& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option(key + ".measurement_scale", &o.measurement_scale, "multiplies the standard deviations of lines and box", 0.1, 100));
-  t.push_back(Option(key + ".depth_sigma", &o.depth_sigma, "along the ray, share of the distance", 0.0001, 1));
-  t.push_back(Option(key + ".lateral_sigma", &o.lateral_sigma, "across the ray, share of the distance", 0.0001, 1));
-  t.push_back(Option(key + ".rotation_sigma_deg", &o.rotation_sigma_deg, "of the rotation, degrees", 0.01, 180));
+  t.push_back(Option(key + ".measurement_scale", &o.measurement_scale,
+                     "multiplies the standard deviations of lines and box", 0.1, 100));
+  t.push_back(
+      Option(key + ".depth_sigma", &o.depth_sigma, "along the ray, share of the distance", 0.0001, 1));
+  t.push_back(
+      Option(key + ".lateral_sigma", &o.lateral_sigma, "across the ray, share of the distance", 0.0001, 1));
+  t.push_back(
+      Option(key + ".rotation_sigma_deg", &o.rotation_sigma_deg, "of the rotation, degrees", 0.01, 180));
   t.push_back(Option(key + ".shape_sigma", &o.shape_sigma, "of the shape's coefficients", 0.001, 100));
 }
 
 void AddMappingOptions(MappingOptions& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option("mapping.min_observations", &o.min_observations, "frames that see an object before it is kept", 1, 1000));
-  t.push_back(Option("mapping.odometry.knot_seconds", &o.odometry.knot_seconds, "between the knots of the odometry's scale", 0.1, 1000));
-  t.push_back(Option("mapping.odometry.rotation_sigma_deg", &o.odometry.rotation_sigma_deg, "of each step, degrees", 0.0001, 90));
-  t.push_back(Option("mapping.odometry.translation_sigma", &o.odometry.translation_sigma, "of each step, share of its length", 0.0001, 10));
-  t.push_back(Option("mapping.odometry.translation_floor", &o.odometry.translation_floor, "added to it, metres", 0.00001, 10));
-  t.push_back(Option("mapping.odometry.up_sigma_deg", &o.odometry.up_sigma_deg, "least standard deviation of up, degrees", 0.01, 90));
+  t.push_back(Option("mapping.scale", &o.scale, "of the odometry: from the objects, or none: it is in metres",
+                     {"objects", "none"}));
+  t.push_back(Option("mapping.first_solve", &o.first_solve, "frames after which the map is first solved", 1,
+                     1000000));
+  t.push_back(Option("mapping.solve_growth", &o.solve_growth,
+                     "it is solved again when there are this many times more", 1.01, 1000));
+  t.push_back(Option("mapping.min_observations", &o.min_observations,
+                     "frames that see an object before it is kept", 1, 1000));
+  t.push_back(Option("mapping.knot_seconds", &o.knot_seconds, "between the knots of the odometry's scale",
+                     0.1, 1000));
+  t.push_back(Option("mapping.odometry.rotation_sigma_deg", &o.odometry.rotation_sigma_deg,
+                     "of each step, degrees", 0.0001, 90));
+  t.push_back(Option("mapping.odometry.translation_sigma", &o.odometry.translation_sigma,
+                     "of each step, share of its length", 0.0001, 10));
+  t.push_back(Option("mapping.odometry.translation_floor", &o.odometry.translation_floor,
+                     "added to it, metres", 0.00001, 10));
+  t.push_back(
+      Option("mapping.up_sigma_deg", &o.up_sigma_deg, "least standard deviation of up, degrees", 0.01, 90));
   AddNoiseOptions("mapping.view_noise", o.view_noise, t);
-  t.push_back(Option("mapping.loop_closure", &o.loop_closure, "objects seen again later are the same objects"));
-  t.push_back(Option("mapping.recent_seconds", &o.recent_seconds, "objects unseen for longer are not seen recently", 0.01, 10000));
-  t.push_back(Option("mapping.association.gate", &o.association.gate, "squared Mahalanobis distance per row that joins two objects", 0, 1000));
-  t.push_back(Option("mapping.association.overlap", &o.association.overlap, "or this intersection over union of their boxes", 0, 1));
-  t.push_back(Option("mapping.association.together", &o.association.together, "frames that may show both nevertheless", 0, 1000));
-  t.push_back(Option("mapping.association.drift", &o.association.drift, "of the odometry, share of the way travelled", 0, 10));
-  t.push_back(Option("mapping.association.turn_drift_deg", &o.association.turn_drift_deg, "of the odometry, degrees a metre travelled", 0, 180));
-  t.push_back(Option("mapping.association.box_overlap", &o.association.box_overlap, "of a detection's box and an object's projection", 0, 1));
+  t.push_back(
+      Option("mapping.loop_closure", &o.loop_closure, "objects seen again later are the same objects"));
+  t.push_back(Option("mapping.recent_seconds", &o.recent_seconds,
+                     "objects unseen for longer are not seen recently", 0.01, 10000));
+  t.push_back(Option("mapping.association.gate", &o.association.gate,
+                     "squared Mahalanobis distance per row that joins two objects", 0, 1000));
+  t.push_back(Option("mapping.association.overlap", &o.association.overlap,
+                     "or this intersection over union of their boxes", 0, 1));
+  t.push_back(Option("mapping.association.together", &o.association.together,
+                     "frames that may show both nevertheless", 0, 1000));
+  t.push_back(Option("mapping.association.drift", &o.association.drift,
+                     "of the odometry, share of the way travelled", 0, 10));
+  t.push_back(Option("mapping.association.turn_drift_deg", &o.association.turn_drift_deg,
+                     "of the odometry, degrees a metre travelled", 0, 180));
+  t.push_back(Option("mapping.association.box_overlap", &o.association.box_overlap,
+                     "of a detection's box and an object's projection", 0, 1));
   t.push_back(Option("mapping.max_iterations", &o.solver.max_iterations, "of the solver", 1, 1000));
-  t.push_back(Option("mapping.loss_scale", &o.solver.loss_scale, "of the robust loss on an observation", 0.1, 1000));
-  t.push_back(Option("mapping.shape_weight", &o.solver.shape_weight, "of the category's shape statistics", 0, 100));
-  t.push_back(Option("mapping.upright_sigma_deg", &o.solver.upright_sigma_deg, "of objects about up, degrees; 0: none", 0, 90));
-  t.push_back(Option("mapping.floor_sigma", &o.solver.floor_sigma, "of the floor below objects, metres; 0: none", 0, 10));
-  t.push_back(Option("mapping.scale_sigma", &o.solver.scale_sigma, "of the first scale's logarithm", 0.001, 10));
-  t.push_back(Option("mapping.scale_drift_sigma", &o.solver.scale_drift_sigma, "of the scale's logarithm from knot to knot", 0.00001, 10));
-  t.push_back(Option("mapping.refinement.rounds", &o.refinement.rounds, "of matching all frames' lines anew; 0: none", 0, 100));
-  t.push_back(Option("mapping.refinement.first_gate_pixels", &o.refinement.first_gate_pixels, "distance gate of the first round", 0.1, 100));
-  t.push_back(Option("mapping.refinement.last_gate_pixels", &o.refinement.last_gate_pixels, "distance gate of the last round", 0.1, 100));
-  t.push_back(Option("mapping.refinement.first_box_loss_scale", &o.refinement.first_box_loss_scale, "of the box in the first round, standard deviations", 0.1, 1000));
-  t.push_back(Option("mapping.refinement.gate_angle_deg", &o.refinement.gate_angle_deg, "angle gate, degrees", 0.1, 90));
-  t.push_back(Option("mapping.refinement.min_edges", &o.refinement.min_edges, "matched edges, fewer say nothing", 1, 100));
+  t.push_back(
+      Option("mapping.loss_scale", &o.solver.loss_scale, "of the robust loss on an observation", 0.1, 1000));
+  t.push_back(
+      Option("mapping.shape_weight", &o.solver.shape_weight, "of the category's shape statistics", 0, 100));
+  t.push_back(Option("mapping.upright_sigma_deg", &o.solver.upright_sigma_deg,
+                     "of objects about up, degrees; 0: none", 0, 90));
+  t.push_back(Option("mapping.floor_sigma", &o.solver.floor_sigma,
+                     "of the floor below objects, metres; 0: none", 0, 10));
+  t.push_back(Option("mapping.min_scale_sigma", &o.solver.min_scale_sigma,
+                     "of the scale's logarithm: what the front end has learnt is never surer", 0.0001, 10));
+  t.push_back(Option("mapping.scale_drift_sigma", &o.solver.scale_drift_sigma,
+                     "of the scale's logarithm from knot to knot", 0.00001, 10));
+  t.push_back(Option("mapping.refinement.rounds", &o.refinement.rounds,
+                     "of matching all frames' lines anew; 0: none", 0, 100));
+  t.push_back(Option("mapping.refinement.iterations", &o.refinement.iterations, "of the solver in each round",
+                     1, 1000));
+  t.push_back(Option("mapping.refinement.first_gate_pixels", &o.refinement.first_gate_pixels,
+                     "distance gate of the first round", 0.1, 100));
+  t.push_back(Option("mapping.refinement.last_gate_pixels", &o.refinement.last_gate_pixels,
+                     "distance gate of the last round", 0.1, 100));
+  t.push_back(Option("mapping.refinement.first_box_loss_scale", &o.refinement.first_box_loss_scale,
+                     "of the box in the first round, standard deviations", 0.1, 1000));
+  t.push_back(Option("mapping.refinement.gate_angle_deg", &o.refinement.gate_angle_deg, "angle gate, degrees",
+                     0.1, 90));
+  t.push_back(Option("mapping.refinement.min_edges", &o.refinement.min_edges,
+                     "matched edges, fewer say nothing", 1, 100));
   AddNoiseOptions("mapping.refinement.noise", o.refinement.noise, t);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lines/line_detector.h"
-#include "mapping/object_map.h"
+#include "mapping/solve_map.h"
 #include "pipeline/floor_height.h"
 #include "pipeline/object_estimator.h"
 #include "pipeline/object_tracks.h"

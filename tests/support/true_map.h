@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "eval/map_objects.h"
+#include "eval/placed_objects.h"
 #include "eval/trajectory_alignment.h"
 #include "support/true_world.h"
 
 namespace armature::testing {
 
 // The true objects as a map: "map_ID" with 5 observations each.
-inline std::vector<MapObject> TrueMap(const GroundTruth& truth) {
-  std::vector<MapObject> map;
+inline std::vector<PlacedObject> TrueMap(const GroundTruth& truth) {
+  std::vector<PlacedObject> map;
   for (const TrueObject& object : truth.objects) {
     map.push_back(
         {"map_" + object.id, object.category, "", object.T_world_object, object.size, 5, {0.5, -1}});
@@ -24,9 +24,9 @@ inline std::vector<MapObject> TrueMap(const GroundTruth& truth) {
 }
 
 // As objects.csv.
-inline std::string MapText(const std::vector<MapObject>& map) {
+inline std::string MapText(const std::vector<PlacedObject>& map) {
   std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
-  for (const MapObject& object : map) {
+  for (const PlacedObject& object : map) {
     text += fmt::format("{},{},{},{},{:.12f},{:.12f},{:.12f},{},{}\n", object.id, object.category,
                         object.instance, PoseText(object.T_world_object, ","), object.size.x(),
                         object.size.y(), object.size.z(), object.observations, fmt::join(object.shape, ";"));
@@ -43,9 +43,9 @@ inline std::string TrajectoryText(const GroundTruth& truth, const Similarity& T_
 }
 
 // Writes a map into a run folder, both files of it, as a run in the other world would.
-inline void WriteMap(const TrueWorld& world, const std::string& run, std::vector<MapObject> map,
+inline void WriteMap(const TrueWorld& world, const std::string& run, std::vector<PlacedObject> map,
                      const Similarity& T_run_truth) {
-  for (MapObject& object : map) {
+  for (PlacedObject& object : map) {
     object.T_world_object = T_run_truth.Apply(object.T_world_object);
     object.size *= T_run_truth.scale;
   }

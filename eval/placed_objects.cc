@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/map_objects.h"
+#include "eval/placed_objects.h"
 
 #include <fmt/format.h>
 
@@ -47,10 +47,10 @@ std::vector<double> ReadShape(const CsvRow& row) {
 
 }  // namespace
 
-std::vector<MapObject> ReadMapObjects(const std::filesystem::path& file) {
+std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
   const CsvTable table(file, {"id", "category", "instance", "tx", "ty", "tz", "qx", "qy", "qz", "qw",
                               "size_x", "size_y", "size_z", "observations", "shape"});
-  std::vector<MapObject> objects;
+  std::vector<PlacedObject> objects;
   std::set<std::string> ids;
   for (const CsvRow& row : table.rows()) {
     objects.push_back({ReadId(row, ids), row.Text("category"), row.Text("instance"), ReadPose(row),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The objects of a run's map.
+// The objects of a run's map, as its files tell them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 
 namespace armature {
 
-struct MapObject {
+struct PlacedObject {
   std::string id;
   std::string category;
   std::string instance;                                              // the CAD model, empty: not retrieved
@@ -21,6 +21,6 @@ struct MapObject {
 
 // objects.csv or objects_odometry.csv of a run folder; a table without rows is a map without objects. Throws
 // InputError: missing or malformed file, an id that is empty or occurs twice, a negative size or count.
-std::vector<MapObject> ReadMapObjects(const std::filesystem::path& file);
+std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file);
 
 }  // namespace armature

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mapping/solve_map.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace armature {
+namespace {
+
+// Without loop closure, only objects seen within these seconds are candidates.
+std::optional<double> SecondsBetween(const MappingOptions& options) {
+  if (options.loop_closure) return std::nullopt;
+  return options.recent_seconds;
+}
+
+// Bearings that disagree would rather have the camera travel less: while single views with their errors of
+// depth are all there is, the scale stays as the front end learnt it.
+void SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options) {
+  const bool held = std::exchange(graph.scale_is_held, true);
+  SolveMapGraph(graph, options);
+  graph.scale_is_held = held;
+}
+
+void JoinWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                      ObjectOfObservation& phi) {
+  SolveWithScaleHeld(graph, options.solver);
+  while (const auto join = FindJoin(graph, frames, SecondsBetween(options), options.association)) {
+    Apply(*join, graph, phi);
+    SolveWithScaleHeld(graph, options.solver);  // a loop that closes moves the cameras
+  }
+}
+
+// Once factors are linearised at the map's poses and not at their own optima, only what lies in one place is
+// joined.
+void JoinOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                     ObjectOfObservation& phi) {
+  ObjectAssociationOptions only_overlap = options.association;
+  only_overlap.gate = 0;
+  while (const auto join = FindJoin(graph, frames, SecondsBetween(options), only_overlap)) {
+    Apply(*join, graph, phi);
+  }
+}
+
+void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
+            const MappingOptions& options, MapGraph& graph, ObjectOfObservation& phi) {
+  MapSolverOptions solver = options.solver;
+  solver.max_iterations = options.refinement.iterations;
+  for (int round = 0; round < options.refinement.rounds; ++round) {
+    JoinOverlapping(frames, options, graph, phi);
+    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options), options.association);
+    Relinearise(frames, phi, round, box, resection, options.refinement, graph);
+    SolveMapGraph(graph, solver);
+  }
+}
+
+// Objects that enough observations support, numbered in the order in which they are first seen.
+void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, int min_observations, Map& map) {
+  std::vector<int> observations(graph.objects.size(), 0);
+  for (const ObjectFactor& factor : graph.observations) ++observations[static_cast<size_t>(factor.object)];
+  std::vector<int> kept(graph.objects.size(), -1);
+  std::map<std::string, int> numbers;
+  for (const std::vector<int>& of_frame : phi) {
+    map.phi.emplace_back(of_frame.size(), -1);
+    for (size_t j = 0; j < of_frame.size(); ++j) {
+      if (of_frame[j] < 0) continue;
+      const auto o = static_cast<size_t>(of_frame[j]);
+      if (observations[o] < min_observations) continue;
+      if (kept[o] < 0) {
+        kept[o] = static_cast<int>(map.objects.size());
+        const GraphObject& object = graph.objects[o];
+        const std::string& category = object.model->spec.name;
+        map.objects.push_back({category + std::to_string(numbers[category]++), object.model,
+                               object.T_world_object, object.coefficients, observations[o]});
+      }
+      map.phi.back()[j] = kept[o];
+    }
+  }
+}
+
+Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const ObjectOfObservation& phi,
+          int min_observations) {
+  Map map;
+  for (const MapFrame& frame : frames) map.timestamps.push_back(frame.timestamp);
+  map.T_world_camera = graph.T_world_camera;
+  map.log_scale = graph.log_scale;
+  StoreObjects(graph, phi, min_observations, map);
+  return map;
+}
+
+}  // namespace
+
+Eigen::Vector3d MapObject::Size() const {
+  return BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) +
+         Eigen::Vector3d::Constant(2 * model->spec.padding);
+}
+
+double Map::MeanScale() const {
+  const double sum = std::accumulate(log_scale.begin(), log_scale.end(), 0.0);
+  return std::exp(sum / static_cast<double>(log_scale.size()));
+}
+
+Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
+             const ResectionOptions& resection, const MappingOptions& options) {
+  MapGraph graph =
+      GraphOfOdometry(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
+  ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
+  AddObjects(frames, phi, options.view_noise, graph);
+  JoinWhileSolving(frames, options, graph, phi);
+  Refine(frames, box, resection, options, graph, phi);
+  Map map = ToMap(frames, graph, phi, options.min_observations);
+  if (options.refinement.rounds > 0) map.scale_sigma = ScaleSigma(graph, options.solver);
+  return map;
+}
+
+Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
+  MapGraph graph = GraphOfOdometry(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
+                                   options.up_sigma_deg);
+  graph.cameras_are_held = true;
+  // Single views of detections that the front end was not sure of say where the map has them, not where they
+  // are.
+  ObjectOfObservation phi = map.phi;
+  for (size_t i = 0; i < phi.size(); ++i) {
+    for (size_t j = 0; j < phi[i].size(); ++j) {
+      if (frames[i].observations[j].track < 0) phi[i][j] = -1;
+    }
+  }
+  AddObjects(frames, phi, options.view_noise, graph);
+  SolveMapGraph(graph, options.solver);
+  Map placed = map;
+  placed.T_world_camera = graph.T_world_camera;
+  placed.log_scale = graph.log_scale;
+  placed.scale_sigma.reset();
+  for (size_t o = 0; o < graph.objects.size(); ++o) {
+    placed.objects[o].T_world_object = graph.objects[o].T_world_object;
+    placed.objects[o].coefficients = graph.objects[o].coefficients;
+  }
+  return placed;
+}
+
+}  // namespace armature
