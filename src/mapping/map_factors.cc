@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "geometry/rotation.h"
+#include "mapping/pose_block.h"
+#include "mapping/relative_pose_error.h"
 #include "resection/resection_problem.h"
 
 namespace armature {
@@ -11,82 +13,27 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using RowMajorMap = Eigen::Map<RowMajor>;
-using Matrix6by7 = Eigen::Map<Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>;
 using Matrix3by7 = Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>>;
 
 }  // namespace
 
-PoseBlock ToBlock(const Eigen::Isometry3d& pose) {
-  PoseBlock block;
-  block << pose.translation(), Eigen::Quaterniond(pose.linear()).normalized().coeffs();
-  return block;
-}
-
-Eigen::Isometry3d FromBlock(const double* block) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = Eigen::Map<const Eigen::Quaterniond>(block + 3).toRotationMatrix();
-  pose.translation() = Eigen::Map<const Eigen::Vector3d>(block);
-  return pose;
-}
-
-// (t + R v, q exp(w)): X Exp(w, v) to first order.
-bool PoseManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
-  const Eigen::Map<const Eigen::Quaterniond> q(x + 3);
-  const Eigen::Map<const Eigen::Vector3d> w(delta), v(delta + 3);
-  Eigen::Map<Eigen::Vector3d> moved{x_plus_delta};
-  Eigen::Map<Eigen::Quaterniond> turned{x_plus_delta + 3};
-  moved = Eigen::Map<const Eigen::Vector3d>(x) + q * v;
-  turned = (q * Eigen::Quaterniond(ExpSO3(w))).normalized();
-  return true;
-}
-
-bool PoseManifold::PlusJacobian(const double*, double* jacobian) const {
-  Eigen::Map<Eigen::Matrix<double, 7, 6, Eigen::RowMajor>>(jacobian).setIdentity();
-  return true;
-}
-
-bool PoseManifold::Minus(const double* y, const double* x, double* y_minus_x) const {
-  const Eigen::Map<const Eigen::Quaterniond> from(x + 3), to(y + 3);
-  Eigen::Map<Eigen::Vector3d> w{y_minus_x}, v{y_minus_x + 3};
-  w = LogSO3((from.conjugate() * to).toRotationMatrix());
-  v = from.conjugate() * (Eigen::Map<const Eigen::Vector3d>(y) - Eigen::Map<const Eigen::Vector3d>(x));
-  return true;
-}
-
-bool PoseManifold::MinusJacobian(const double*, double* jacobian) const {
-  Eigen::Map<Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>(jacobian).setIdentity();
-  return true;
-}
-
-// X_i Exp(d):  e changes by -J_r^-1(e) Ad((X_i^-1 X_j)^-1) d.   X_j Exp(d):  by J_r^-1(e) d.
-// Scale: M = Z^-1 X_i^-1 X_j = (R_M, R_Z^T (t - exp(s) t_Z)), so M's translation moves by -R_Z^T exp(s) t_Z
-// ds; as a step of M on its right that is R_M^T times it.
+// Scale: Z^-1 X_i^-1 X_j = (R_Z^T R, R_Z^T (t - exp(s) t_Z)), so its translation moves by -R_Z^T exp(s) t_Z
+// ds; as a step of it on its right, and so of X_j, that is (R_Z^T R)^T times it: -R^T exp(s) t_Z ds.
 bool OdometryCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
-  const Eigen::Isometry3d X_i = FromBlock(parameters[0]), X_j = FromBlock(parameters[1]);
   const double scale = std::exp((1 - factor_.share) * parameters[2][0] + factor_.share * parameters[3][0]);
   Eigen::Isometry3d Z = factor_.T_from_to;
   Z.translation() *= scale;
-  const Eigen::Isometry3d X_ij = X_i.inverse() * X_j;
-  const Eigen::Isometry3d M = Z.inverse() * X_ij;
-  const Vector6d e = LogSE3(M);
+  const RelativePoseError error(Z.inverse(), FromBlock(parameters[0]), FromBlock(parameters[1]));
   Vector6d weight;
   weight.head<3>().setConstant(1 / factor_.rotation_sigma);
   weight.tail<3>().setConstant(1 / factor_.translation_sigma);
-  Eigen::Map<Vector6d>{residuals} = weight.cwiseProduct(e);
+  Eigen::Map<Vector6d>{residuals} = weight.cwiseProduct(error.e);
   if (!jacobians) return true;
-  const Matrix6d by_step = weight.asDiagonal() * RightJacobianInverseSE3(e);
-  if (jacobians[0]) {
-    Matrix6by7 J(jacobians[0]);
-    J.leftCols<6>() = -by_step * AdjointSE3(X_ij.inverse());
-    J.col(6).setZero();
-  }
-  if (jacobians[1]) {
-    Matrix6by7 J(jacobians[1]);
-    J.leftCols<6>() = by_step;
-    J.col(6).setZero();
-  }
-  const Eigen::Vector3d step = -M.linear().transpose() * Z.linear().transpose() * Z.translation();
-  const Vector6d by_log_scale = by_step.rightCols<3>() * step;
+  const Matrix6d by_to = weight.asDiagonal() * error.ByTo();
+  if (jacobians[0]) StoreByStep(by_to * error.ToByFrom(), jacobians[0]);
+  if (jacobians[1]) StoreByStep(by_to, jacobians[1]);
+  const Eigen::Vector3d to_by_log_scale = -error.T_from_to.linear().transpose() * Z.translation();
+  const Vector6d by_log_scale = by_to.rightCols<3>() * to_by_log_scale;
   if (jacobians[2]) Eigen::Map<Vector6d>{jacobians[2]} = (1 - factor_.share) * by_log_scale;
   if (jacobians[3]) Eigen::Map<Vector6d>{jacobians[3]} = factor_.share * by_log_scale;
   return true;
@@ -100,25 +47,17 @@ ObjectCost::ObjectCost(const ObjectFactor& factor) : factor_(factor) {
 
 bool ObjectCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Index modes = factor_.at.coefficients.size(), rows = 6 + modes;
-  const Eigen::Isometry3d T_camera_object = FromBlock(parameters[0]).inverse() * FromBlock(parameters[1]);
-  const Vector6d e = LogSE3(factor_.at.T_camera_object.inverse() * T_camera_object);
+  const RelativePoseError error(factor_.at.T_camera_object.inverse(), FromBlock(parameters[0]),
+                                FromBlock(parameters[1]));
   Eigen::Map<Eigen::VectorXd> r(residuals, rows);
   r = factor_.b;
-  r.noalias() += factor_.A.leftCols<6>() * e;
+  r.noalias() += factor_.A.leftCols<6>() * error.e;
   r.noalias() += factor_.A.rightCols(modes) *
                  (Eigen::Map<const Eigen::VectorXd>(parameters[2], modes) - factor_.at.coefficients);
   if (!jacobians) return true;
-  const Matrix6d step = RightJacobianInverseSE3(e);
-  if (jacobians[0]) {
-    RowMajorMap J(jacobians[0], rows, 7);
-    J.leftCols<6>().noalias() = factor_.A.leftCols<6>() * (-step * AdjointSE3(T_camera_object.inverse()));
-    J.col(6).setZero();
-  }
-  if (jacobians[1]) {
-    RowMajorMap J(jacobians[1], rows, 7);
-    J.leftCols<6>().noalias() = factor_.A.leftCols<6>() * step;
-    J.col(6).setZero();
-  }
+  const Eigen::Matrix<double, Eigen::Dynamic, 6> by_object = factor_.A.leftCols<6>() * error.ByTo();
+  if (jacobians[0]) StoreByStep(by_object * error.ToByFrom(), jacobians[0]);
+  if (jacobians[1]) StoreByStep(by_object, jacobians[1]);
   if (jacobians[2]) RowMajorMap(jacobians[2], rows, modes) = factor_.A.rightCols(modes);
   return true;
 }

@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The residuals of the map's factor graph for Ceres, with their derivatives.
-//
-// A pose is a block of 7 numbers: translation, then quaternion (x, y, z, w). All derivatives are by the step
-// d = (rotation, translation) of X Exp(d), written into the block's first six columns: PoseManifold's plus
-// has the derivative (I; 0).
+// The residuals of the map's factor graph for Ceres, with their derivatives. Poses are blocks of
+// pose_block.h.
 #pragma once
 
-#include <ceres/ceres.h>
+#include <ceres/cost_function.h>
+#include <ceres/sized_cost_function.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "mapping/map_graph.h"
 #include "resection/resection_problem.h"
 
 namespace armature {
-
-using PoseBlock = Eigen::Matrix<double, 7, 1>;
-PoseBlock ToBlock(const Eigen::Isometry3d& pose);
-Eigen::Isometry3d FromBlock(const double* block);
-
-class PoseManifold : public ceres::Manifold {
- public:
-  int AmbientSize() const override { return 7; }
-  int TangentSize() const override { return 6; }
-  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
-  bool PlusJacobian(const double* x, double* jacobian) const override;
-  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
-  bool MinusJacobian(const double* x, double* jacobian) const override;
-};
 
 // Blocks: camera i, camera j, log scale at the knot, at the next. 6 residuals.
 class OdometryCost : public ceres::SizedCostFunction<6, 7, 7, 1, 1> {

@@ -12,6 +12,8 @@
 
 #include "geometry/rotation.h"
 #include "mapping/map_factors.h"
+#include "mapping/one_thread.h"
+#include "mapping/pose_block.h"
 
 namespace armature {
 namespace {
@@ -148,6 +150,7 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   ceres::Problem problem;
   AddFactors(graph, options, blocks, problem);
   ceres::Solver::Summary summary;
+  const OneThread one_thread;
   ceres::Solve(SolverOptions(options), &problem, &summary);
   if (summary.IsSolutionUsable()) Store(blocks, graph);
   return {summary.initial_cost, summary.final_cost,

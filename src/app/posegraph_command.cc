@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/posegraph_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/interrupt.h"
+#include "io/errors.h"
+#include "io/g2o.h"
+#include "io/nearest_name.h"
+#include "io/text_table.h"
+#include "mapping/pose_graph.h"
+
+namespace armature {
+namespace {
+
+struct StartName {
+  const char* name;
+  PoseGraphStart start;
+};
+constexpr StartName kStartNames[] = {{"auto", PoseGraphStart::kAuto},
+                                     {"file", PoseGraphStart::kGiven},
+                                     {"odometry", PoseGraphStart::kOdometry},
+                                     {"chordal", PoseGraphStart::kChordal}};
+
+PoseGraphStart StartFromName(const std::string& name) {
+  std::vector<std::string> known;
+  for (const StartName& entry : kStartNames) {
+    if (name == entry.name) return entry.start;
+    known.push_back(entry.name);
+  }
+  throw InputError(fmt::format("posegraph: --init: {}", UnknownNameMessage("start", name, known)));
+}
+
+std::string NameOf(PoseGraphStart start) {
+  for (const StartName& entry : kStartNames) {
+    if (start == entry.start) return entry.name;
+  }
+  return "";
+}
+
+struct PoseGraphReport {
+  const PoseGraphArguments& arguments;
+  const PoseGraph& graph;
+  const PoseGraphResult& result;
+  double read_milliseconds = 0;
+};
+
+std::string ReportText(const PoseGraphReport& report) {
+  const PoseGraphResult& result = report.result;
+  Table table;
+  table.columns = {"vertices",   "edges",     "init",      "initial cost", "final cost",
+                   "iterations", "converged", "read [ms]", "init [ms]",    "solve [ms]"};
+  table.rows = {{CountCell(static_cast<long>(report.graph.poses.size())),
+                 CountCell(static_cast<long>(report.graph.edges.size())), TextCell(NameOf(result.start)),
+                 NumberCell(result.initial_cost, 6), NumberCell(result.final_cost, 6),
+                 CountCell(result.iterations), TextCell(result.converged ? "yes" : "no"),
+                 NumberCell(report.read_milliseconds, 1), NumberCell(result.start_milliseconds, 1),
+                 NumberCell(result.solve_milliseconds, 1)}};
+  table.notes = {
+      "cost: sum of r^T Omega r over the edges, r = Log(Z^-1 X_i^-1 X_j) in SE(3), no factor 1/2",
+      "solve: from the start to the optimised poses, without reading, start and writing; one thread"};
+  return FormatTable(table, TableFormat::kText) +
+         fmt::format("\nPose graph: {}\n", report.arguments.out.string());
+}
+
+std::string ReportJson(const PoseGraphReport& report) {
+  const PoseGraphResult& result = report.result;
+  nlohmann::ordered_json json;
+  json["graph"] = report.arguments.graph.string();
+  json["vertices"] = report.graph.poses.size();
+  json["edges"] = report.graph.edges.size();
+  json["init"] = NameOf(result.start);
+  json["initial_cost"] = result.initial_cost;
+  json["final_cost"] = result.final_cost;
+  json["iterations"] = result.iterations;
+  json["converged"] = result.converged;
+  json["read_ms"] = report.read_milliseconds;
+  json["init_ms"] = result.start_milliseconds;
+  json["solve_ms"] = result.solve_milliseconds;
+  json["out"] = report.arguments.out.string();
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+int RunPoseGraph(const PoseGraphArguments& arguments) {
+  PoseGraphOptions options;
+  options.start = StartFromName(arguments.init);
+  options.max_iterations = arguments.max_iterations;
+  if (options.max_iterations < 0) {
+    throw InputError(
+        fmt::format("posegraph: --max-iterations {}: has to be 0 or more", options.max_iterations));
+  }
+  const auto clock = std::chrono::steady_clock::now();
+  const G2oFile g2o = ReadG2o(arguments.graph);
+  const std::chrono::duration<double, std::milli> read = std::chrono::steady_clock::now() - clock;
+
+  const PoseGraphResult result = SolvePoseGraph(g2o.graph, options);
+  ThrowIfInterrupted();
+  WriteG2o(arguments.out, g2o, result.poses);
+  const PoseGraphReport report{arguments, g2o.graph, result, read.count()};
+  fmt::print("{}", arguments.json ? ReportJson(report) : ReportText(report));
+  return 0;
+}
+
+void AddPoseGraphCommand(CLI::App& app, int& exit_status) {
+  const auto arguments = std::make_shared<PoseGraphArguments>();
+  PoseGraphArguments& a = *arguments;
+  CLI::App* command = app.add_subcommand("posegraph", "Optimise a pose graph in g2o's format");
+  command->add_option("GRAPH", a.graph, "g2o file: VERTEX_SE3:QUAT, EDGE_SE3:QUAT, FIX")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--out", a.out, "g2o file to write")->required()->type_name("FILE");
+  command
+      ->add_option(
+          "--init", a.init,
+          "start: the file's poses, odometry (edges chained), chordal (rotations, then positions, by "
+          "linear least squares); auto: the file's, or chordal where those are poor")
+      ->type_name("auto|file|odometry|chordal")
+      ->capture_default_str();
+  command->add_option("--max-iterations", a.max_iterations, "of the optimiser")->capture_default_str();
+  command->add_flag("--json", a.json, "print JSON instead of a table");
+  command->callback([arguments, &exit_status] { exit_status = RunPoseGraph(*arguments); });
+}
+
+}  // namespace armature
