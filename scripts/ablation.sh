@@ -3,15 +3,16 @@
 # What if something is changed or left out: runs the presets paper and default and every file of configs/ablations on
 # the sequences, then prints one table of all of them for each sequence.
 #
-#   scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]...
+#   scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]... [--tables NAMES]
 #
 # --out   a folder a configuration, DIR/NAME; the tables: DIR/ablation.md, their rows: DIR/detections.csv
 # --cad   annotated CAD models, to judge matches
 # --only  this configuration (paper, default or a file's name without .yaml); may be repeated
+# --tables  of `armature eval`, joined by commas (default: observations,trajectory,objects,normal,paper)
 set -euo pipefail
 
 usage() {
-  echo "ablation.sh: $1; usage: scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]..." >&2
+  echo "ablation.sh: $1; usage: scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]... [--tables NAMES]" >&2
   exit 2
 }
 
@@ -21,14 +22,16 @@ sequences=()
 only=()
 out=""
 cad=()
+tables=observations,trajectory,objects,normal,paper
 while (($#)); do
   case "$1" in
-    --out | --cad | --only)
+    --out | --cad | --only | --tables)
       (($# > 1)) || usage "$1 needs a value"
       case "$1" in
         --out) out="$2" ;;
         --cad) cad=(--cad "$2") ;;
         --only) only+=("$2") ;;
+        --tables) tables="$2" ;;
       esac
       shift 2
       ;;
@@ -64,7 +67,7 @@ for name in "${names[@]}"; do
   runs+=("$out/$name")
 done
 
-"$program" eval "${runs[@]}" "${cad[@]}" --raw "$out/detections.csv" --format markdown >"$out/ablation.md"
-"$program" eval "${runs[@]}" "${cad[@]}"
+"$program" eval "${runs[@]}" "${cad[@]}" --tables "$tables" --raw "$out/detections.csv" --format markdown >"$out/ablation.md"
+"$program" eval "${runs[@]}" "${cad[@]}" --tables "$tables"
 echo
 echo "Runs: $out/NAME; tables: $out/ablation.md; a row a detection: $out/detections.csv"

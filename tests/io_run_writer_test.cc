@@ -130,7 +130,8 @@ TEST_F(RunWriterTest, WritesTheMapsObjectsWithTheirSizes) {
   // 1.2 m long edges, the first moved by 0.05 m: from -0.55 to 0.65; padding on both sides.
   const std::string rest =
       "0.000000000,0.000000000,0.000000000,1.000000000,1.300000,1.300000,0.100000,4,2.000000;0.500000\n";
-  EXPECT_EQ(ReadFile(folder_ / "run/objects.csv"), header + "corner0,corner,,0.000000,0.000000,1.000000," + rest);
+  EXPECT_EQ(ReadFile(folder_ / "run/objects.csv"),
+            header + "corner0,corner,,0.000000,0.000000,1.000000," + rest);
   EXPECT_EQ(ReadFile(folder_ / "run/objects_odometry.csv"),
             header + "corner0,corner,,0.000000,0.000000,2.000000," + rest);
 }

@@ -51,8 +51,8 @@ Table RunTable(const std::vector<SequenceRunResult>& results) {
 
 Table MapTable(const std::vector<SequenceRunResult>& results) {
   Table table;
-  table.columns = {"sequence",          "objects",      "scale [m/unit]",      "+- [%]",
-                   "first [m/unit]",    "last [m/unit]", "solve [ms]", "back end [ms/frame]"};
+  table.columns = {"sequence",       "objects",       "scale [m/unit]", "+- [%]",
+                   "first [m/unit]", "last [m/unit]", "solve [ms]",     "back end [ms/frame]"};
   for (const SequenceRunResult& result : results) {
     table.rows.push_back({TextCell(result.sequence)});
     std::vector<Cell>& row = table.rows.back();
@@ -67,12 +67,13 @@ Table MapTable(const std::vector<SequenceRunResult>& results) {
     row.push_back(NumberCell(map.first_scale, 4));
     row.push_back(NumberCell(map.last_scale, 4));
     row.push_back(NumberCell(map.solve_ms, 0));
-    row.push_back(NumberCell(BackEndMilliseconds(result.statistics, map), 2));
+    row.push_back(NumberCell(BackEndMilliseconds(result.counts, map), 2));
   }
   table.notes = {
-      "scale: of the odometry, from the objects; +-: standard deviation as the graph has it; first, last: with its "
-      "drift. solve: the map of all",
-      "frames at the end; back end: that, and what was kept between frames, a frame. A dash: no odometry, no map."};
+      "scale: of the odometry, from the objects; +-: its standard deviation as the graph has it; first, "
+      "last:",
+      "  at both ends of the sequence. solve: the map of all frames, at the end. back end: that and the map",
+      "  while frames come in, over the frames. A dash: no odometry, no map."};
   return table;
 }
 

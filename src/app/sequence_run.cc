@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "app/interrupt.h"
 #include "io/errors.h"
@@ -84,7 +84,8 @@ std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& wr
                     .scale_sigma = map.scale_sigma,
                     .first_scale = std::exp(map.log_scale.front()),
                     .last_scale = std::exp(map.log_scale.back()),
-                    .solve_ms = maps->milliseconds};
+                    .incremental_ms = maps->incremental_ms,
+                    .solve_ms = maps->solve_ms};
 }
 
 size_t FrameCount(const Sequence& sequence, int limit) {
@@ -98,7 +99,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
                               const std::filesystem::path& folder) {
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
-  FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models, sequence.up);
+  FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models,
+                         sequence.up);
   const size_t count = FrameCount(sequence, settings.frames);
   NoteOdometryGaps(sequence);
   {

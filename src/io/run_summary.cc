@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/run_summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "io/build_info.h"
 
@@ -51,15 +51,16 @@ Json OdometryJson(const OdometryCoverage& coverage) {
           {"longest_gap_s", Rounded(coverage.longest_gap)}};
 }
 
-Json MapJson(const std::optional<MapSummary>& map, const StageStatistics& statistics) {
+Json MapJson(const std::optional<MapSummary>& map, const RunCounts& counts) {
   if (!map) return nullptr;
   return {{"objects", map->objects},
           {"scale", map->scale},
           {"scale_sigma", map->scale_sigma ? Json(*map->scale_sigma) : Json(nullptr)},
           {"first_scale", map->first_scale},
           {"last_scale", map->last_scale},
+          {"incremental_ms", Rounded(map->incremental_ms)},
           {"solve_ms", Rounded(map->solve_ms)},
-          {"back_end_ms_per_frame", Rounded(BackEndMilliseconds(statistics, *map))}};
+          {"back_end_ms_per_frame", Rounded(BackEndMilliseconds(counts, *map))}};
 }
 
 Json SkippedJson(const RunCounts& counts) {
@@ -72,13 +73,8 @@ Json SkippedJson(const RunCounts& counts) {
 
 }  // namespace
 
-double BackEndMilliseconds(const StageStatistics& statistics, const MapSummary& map) {
-  for (const StageStatistics::Stage& stage : statistics.stages()) {
-    if (stage.name != "mapping" || stage.milliseconds.empty()) continue;
-    const double sum = std::accumulate(stage.milliseconds.begin(), stage.milliseconds.end(), map.solve_ms);
-    return sum / static_cast<double>(stage.milliseconds.size());
-  }
-  return 0;
+double BackEndMilliseconds(const RunCounts& counts, const MapSummary& map) {
+  return (map.incremental_ms + map.solve_ms) / static_cast<double>(std::max(counts.frames, 1L));
 }
 
 std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, const StageStatistics& statistics,
@@ -98,7 +94,7 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   json["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}};
   json["counts"] = CountsJson(counts);
   json["odometry"] = OdometryJson(summary.odometry);
-  json["map"] = MapJson(summary.map, statistics);
+  json["map"] = MapJson(summary.map, counts);
   json["skipped"] = SkippedJson(counts);
   json["stages_ms"] = StagesJson(statistics);  // wall clock a frame; total is without load
   json["wall_seconds"] = Rounded(wall_seconds);

@@ -38,7 +38,8 @@ struct MapSummary {
   double scale = 1;                   // metres a unit of odometry, the mean over the sequence
   std::optional<double> scale_sigma;  // of its logarithm, as the graph has it: model errors come on top
   double first_scale = 1, last_scale = 1;
-  double solve_ms = 0;  // of the batch solution at the end
+  double incremental_ms = 0;  // spent while frames came in, all of them
+  double solve_ms = 0;        // of the batch solution at the end
 };
 
 // What the caller knows about the run.
@@ -47,13 +48,12 @@ struct RunSummary {
   std::string sequence_folder{};  // absolute, empty: not known
   std::string preset;             // configuration that the run started from
   int threads = 1;
-  OdometryCoverage odometry{};  // of the whole sequence
+  OdometryCoverage odometry{};      // of the whole sequence
   std::optional<MapSummary> map{};  // none without odometry
 };
 
-// Milliseconds a frame of the back end: what is kept between frames (up, floor, tracks, the map while frames come
-// in) and the batch solution of the map, over all frames.
-double BackEndMilliseconds(const StageStatistics& statistics, const MapSummary& map);
+// Milliseconds a frame of the back end: both of the above, over the frames.
+double BackEndMilliseconds(const RunCounts& counts, const MapSummary& map);
 
 // The text of summary.json, with `"complete": true`.
 std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, const StageStatistics& statistics,

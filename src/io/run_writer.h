@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "mapping/solve_map.h"
 #include "category/category_model.h"
 #include "io/run_folder.h"
 #include "io/run_summary.h"
 #include "io/trajectory.h"
+#include "mapping/solve_map.h"
 #include "pipeline/frame_result.h"
 
 namespace armature {
@@ -26,8 +26,8 @@ class RunWriter {
   RunWriter(const std::filesystem::path& folder, std::vector<CategoryModel> models);
 
   void WriteConfig(const std::string& yaml);  // config.yaml
-  // trajectory.txt and objects.csv of the map, odometry_scaled.txt and objects_odometry.csv of the same objects
-  // placed by odometry alone, and which object each observation is of.
+  // trajectory.txt and objects.csv of the map, odometry_scaled.txt and objects_odometry.csv of the same
+  // objects placed by odometry alone, and which object each observation is of.
   void WriteMaps(const Map& map, const Map& by_odometry);
   // Rows of observations.csv, associations.csv and timings.csv.
   void AddFrame(const FrameResult& frame);

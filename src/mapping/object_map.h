@@ -9,7 +9,7 @@
 namespace armature {
 
 // The factor graph is solved anew now and then, at a fixed cost a frame on average: whenever the frames have
-// become a quarter more. Between two solutions the cameras follow the odometry.
+// become so many times more (solve_growth). Between two solutions the cameras follow the odometry.
 class ObjectMap {
  public:
   ObjectMap(MappingOptions options, const BoxOptions& box, const ResectionOptions& resection)

@@ -81,6 +81,7 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given)
   const StageClock clock(result.times.mapping);
   LearnUp(result, estimations);
   LearnObjects(input, views, estimations, tracks);
+  const StageClock map_clock(map_milliseconds_);
   AddToMap(input, result, views, estimations, tracks);
   return result;
 }
@@ -164,8 +165,9 @@ void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& result,
 std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
   if (map_.frames().empty()) return std::nullopt;
   FinalMaps maps;
+  maps.incremental_ms = map_milliseconds_;
   {
-    const StageClock clock(maps.milliseconds);
+    const StageClock clock(maps.solve_ms);
     maps.map = map_.Solve(tracks_.Scale());
   }
   maps.by_odometry = PlaceByOdometry(map_.frames(), maps.map, options_.mapping);

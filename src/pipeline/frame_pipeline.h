@@ -43,8 +43,9 @@ class FramePipeline {
 
   struct FinalMaps {
     Map map;
-    Map by_odometry;          // the same objects placed by the odometry alone
-    double milliseconds = 0;  // to solve `map`
+    Map by_odometry;            // the same objects placed by the odometry alone
+    double incremental_ms = 0;  // spent on the map while frames came in
+    double solve_ms = 0;        // spent on `map`
   };
   // The batch solution of all frames; none without odometry.
   std::optional<FinalMaps> SolveMaps() const;
@@ -79,6 +80,7 @@ class FramePipeline {
   FloorHeight floor_;
   ObjectTracks tracks_;
   ObjectMap map_;
+  double map_milliseconds_ = 0;  // spent on it so far
   std::optional<Eigen::Isometry3d> last_T_odom_camera_;
 };
 

@@ -16,7 +16,7 @@ struct StageTimes {         // milliseconds, wall clock
   double lines = 0;         // line detection, one pass for all objects
   double association = 0;   // hypotheses and their costs, all objects
   double optimization = 0;  // resection, all objects
-  double mapping = 0;       // up direction, floor and what else is kept between frames
+  double mapping = 0;       // what is kept between frames: up direction, floor, tracks, the map
   double total() const { return lines + association + optimization + mapping; }
 };
 
