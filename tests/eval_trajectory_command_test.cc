@@ -66,18 +66,19 @@ TEST(EvalTrajectories, OfARunWithoutObjectTruth) {
   ASSERT_EQ(tables.size(), 1u);
   EXPECT_EQ(tables[0]["title"], "desk: camera trajectories");
   const json& rows = tables[0]["rows"];
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(rows[0]["run"], "run");
   EXPECT_EQ(rows[0]["trajectory"], "trajectory");
-  EXPECT_EQ(rows[0]["alignment"], "se3");
-  EXPECT_EQ(rows[0]["matched"], 30);
-  EXPECT_LT(rows[0]["ATE max [m]"], 1e-8);
-  EXPECT_LT(rows[0]["RPE rmse [deg]"], 1e-6);
-  EXPECT_NEAR(rows[0]["rotation [deg]"], Eigen::Vector3d(1, 2, 0.5).norm() / kDegree, 1e-6);
-  EXPECT_EQ(rows[2]["trajectory"], "odometry_scaled");
-  EXPECT_GT(rows[2]["ATE rmse [m]"], 0.1);
-  EXPECT_EQ(rows[3]["alignment"], "sim3");
-  EXPECT_NEAR(rows[3]["scale"], 2, 1e-7);
+  EXPECT_EQ(rows[0]["alignment"], "first_pose");
+  EXPECT_EQ(rows[1]["alignment"], "se3");
+  EXPECT_EQ(rows[1]["matched"], 30);
+  EXPECT_LT(rows[1]["ATE max [m]"], 1e-8);
+  EXPECT_LT(rows[1]["RPE rmse [deg]"], 1e-6);
+  EXPECT_NEAR(rows[1]["rotation [deg]"], Eigen::Vector3d(1, 2, 0.5).norm() / kDegree, 1e-6);
+  EXPECT_EQ(rows[4]["trajectory"], "odometry_scaled");
+  EXPECT_GT(rows[4]["ATE rmse [m]"], 0.1);
+  EXPECT_EQ(rows[5]["alignment"], "sim3");
+  EXPECT_NEAR(rows[5]["scale"], 2, 1e-7);
   EXPECT_LT(rows[3]["ATE rmse [m]"], 1e-7);
 }
 
@@ -127,7 +128,7 @@ TEST(EvalTrajectories, OfARunWithoutOdometryAreEmpty) {
 TEST(EvalTrajectories, NeedNoOdometry) {
   const Desk desk;
   std::filesystem::remove(desk.folder / "run/odometry_scaled.txt");
-  EXPECT_EQ(desk.Tables({})[0]["rows"].size(), 2u);
+  EXPECT_EQ(desk.Tables({})[0]["rows"].size(), 3u);
 }
 
 TEST(EvalTrajectories, OfFilesInAnyFormat) {
