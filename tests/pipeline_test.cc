@@ -219,6 +219,32 @@ TEST(FramePipeline, AFrameWithoutDetectionsHasNoObservations) {
   EXPECT_NEAR(result.up_camera.norm(), 1, 1e-9);
 }
 
+TEST(FramePipeline, WithoutOdometryThereIsNoMap) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+  const cv::Mat black = cv::Mat::zeros(480, 856, CV_8U);
+  pipeline.Process(black, {0.0, {synthetic.view.detection}, std::nullopt});
+  EXPECT_FALSE(pipeline.SolveMaps());
+  EXPECT_TRUE(pipeline.CurrentMap().T_world_camera.empty());
+}
+
+// Nothing to see: the map is the odometry's way, in the unit it is expected to have.
+TEST(FramePipeline, WithOdometryEveryFrameIsInTheMap) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+  const cv::Mat black = cv::Mat::zeros(480, 856, CV_8U);
+  for (int frame = 0; frame < 3; ++frame) {
+    const Eigen::Isometry3d T(Eigen::Translation3d(0.1 * frame, 0, 0));
+    pipeline.Process(black, {0.1 * frame, {}, T});
+    EXPECT_EQ(pipeline.CurrentMap().T_world_camera.size(), static_cast<size_t>(frame + 1));
+  }
+  const auto maps = pipeline.SolveMaps();
+  ASSERT_TRUE(maps);
+  ASSERT_EQ(maps->map.T_world_camera.size(), 3u);
+  EXPECT_TRUE(maps->map.objects.empty());
+  EXPECT_NEAR(maps->map.T_world_camera[2].translation().x(), 0.2 * pipeline.OdometryScale().scale, 1e-6);
+}
+
 TEST(FramePipeline, IdenticalInputGivesIdenticalOutput) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
   cv::Mat image(480, 856, CV_8U);

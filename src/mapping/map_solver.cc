@@ -152,8 +152,9 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   ceres::Solver::Summary summary;
   const OneThread one_thread;
   ceres::Solve(SolverOptions(options), &problem, &summary);
-  if (summary.IsSolutionUsable()) Store(blocks, graph);
-  return {summary.initial_cost, summary.final_cost,
+  const bool usable = summary.IsSolutionUsable();
+  if (usable) Store(blocks, graph);
+  return {summary.initial_cost, usable ? summary.final_cost : summary.initial_cost,
           summary.num_successful_steps + summary.num_unsuccessful_steps};
 }
 

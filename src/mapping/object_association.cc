@@ -18,6 +18,12 @@ namespace armature {
 namespace {
 
 constexpr size_t kAskedFactors = 25;  // of an object, when another is compared with it
+constexpr size_t kRivals = 5;         // joins of which only one can be, handed back at most
+
+struct Candidate {
+  Join join;
+  double score = 0;  // squared Mahalanobis distance per row
+};
 
 // The factors and frames of each object.
 struct Seen {
@@ -142,39 +148,82 @@ std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<M
   return spans;
 }
 
-}  // namespace
+// How well the views of `joined` agree that it is `kept`; `way`: metres between them.
+Candidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen& seen, double way,
+                  const ObjectAssociationOptions& options) {
+  const GraphObject &a = graph.objects[kept], &b = graph.objects[joined];
+  const double yaw = YawBetween(a.T_world_object, b.T_world_object);
+  const double turned = AzimuthDifference(yaw, 0, a.model->spec.symmetry_order);
+  const Join join{static_cast<int>(kept), static_cast<int>(joined), turned - yaw,
+                  std::abs(turned) > 0.5 * M_PI};
+  const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
+  const double distance = Distance(graph, a, seen, join.turn, join.flipped, drift);
+  const bool overlap = IntersectionOverUnion(BoxOf(a), BoxOf(b)) > options.overlap;
+  return {join, overlap ? std::min(distance, options.gate) : distance};
+}
 
-std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                             std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
+// All pairs of objects that may be one, the best first.
+std::vector<Candidate> Candidates(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                                  std::optional<double> seconds_between,
+                                  const ObjectAssociationOptions& options) {
   const std::vector<Seen> seen = SeenOf(graph);
   const Eigen::MatrixXd ways = WaysBetween(seen, Travelled(graph));
   const std::vector<double> stamps = StampsOf(frames);
-  std::optional<Join> best;
-  double least = 1e18;
+  std::vector<Candidate> candidates;
   for (size_t a = 0; a < seen.size(); ++a) {
     for (size_t b = 0; b < seen.size(); ++b) {
-      const GraphObject &kept = graph.objects[a], &joined = graph.objects[b];
       const bool more = seen[a].factors.size() > seen[b].factors.size() ||
                         (seen[a].factors.size() == seen[b].factors.size() && a < b);
-      if (a == b || kept.model != joined.model || !more) continue;
+      if (a == b || graph.objects[a].model != graph.objects[b].model || !more) continue;
       if (Together(seen[a], seen[b]) > options.together) continue;
       if (seconds_between && LeastBetween(seen[a], seen[b], stamps) > *seconds_between) continue;
-      const double yaw = YawBetween(kept.T_world_object, joined.T_world_object);
-      const double turned = AzimuthDifference(yaw, 0, kept.model->spec.symmetry_order);
       const double way = ways(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
-      const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
-      const bool flipped = std::abs(turned) > 0.5 * M_PI;
-      const double turn = turned - yaw;
-      const double distance = Distance(graph, kept, seen[b], turn, flipped, drift);
-      const bool overlap = IntersectionOverUnion(BoxOf(kept), BoxOf(joined)) > options.overlap;
-      const double score = overlap ? std::min(distance, options.gate) : distance;
-      if (score <= options.gate && score < least) {
-        least = score;
-        best = Join{static_cast<int>(a), static_cast<int>(b), turn, flipped};
-      }
+      const Candidate candidate = Compare(graph, a, b, seen[b], way, options);
+      if (candidate.score <= options.gate) candidates.push_back(candidate);
     }
   }
-  return best;
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+  return candidates;
+}
+
+// The objects of two joins that have exactly one object in common: the two that are not common to them.
+std::optional<std::pair<int, int>> Others(const Join& a, const Join& b) {
+  if (a.kept == b.kept && a.joined != b.joined) return std::pair(a.joined, b.joined);
+  if (a.joined == b.joined && a.kept != b.kept) return std::pair(a.kept, b.kept);
+  if (a.kept == b.joined && a.joined != b.kept) return std::pair(a.joined, b.kept);
+  if (a.joined == b.kept && a.kept != b.joined) return std::pair(a.kept, b.joined);
+  return std::nullopt;
+}
+
+// Itself first, then the joins that cannot be if it is: those that take one of its objects for a third one
+// which cannot be the same as its other.
+std::vector<Join> RivalsOf(const Candidate& candidate, const std::vector<Candidate>& candidates) {
+  std::vector<Join> rivals{candidate.join};
+  for (const Candidate& rival : candidates) {
+    const auto others = Others(candidate.join, rival.join);
+    if (!others) continue;
+    const bool may_be_one = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return std::minmax(c.join.kept, c.join.joined) == std::minmax(others->first, others->second);
+    });
+    if (!may_be_one) rivals.push_back(rival.join);
+  }
+  return rivals;
+}
+
+}  // namespace
+
+std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                            std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
+  const std::vector<Candidate> candidates = Candidates(graph, frames, seconds_between, options);
+  std::vector<Join> first;
+  for (const Candidate& candidate : candidates) {
+    std::vector<Join> rivals = RivalsOf(candidate, candidates);
+    if (rivals.size() == 1) return rivals;
+    if (first.empty()) first = std::move(rivals);
+  }
+  first.resize(std::min(first.size(), kRivals));
+  return first;
 }
 
 void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "mapping/map_frame.h"
 #include "mapping/map_graph.h"
@@ -28,10 +29,13 @@ struct Join {
   bool flipped = false;  // fronts disagree though neither is symmetric
 };
 
-// The two objects of the graph that agree best and are one; none when no two are. `seconds_between` limits it
-// to pairs seen within that time of each other (without loop closure); none: no limit.
-std::optional<Join> FindJoin(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                             std::optional<double> seconds_between, const ObjectAssociationOptions& options);
+// The next two objects of the graph to be joined; none when no two are one. That is the pair that agrees best
+// of those without rivals. A rival cannot be true as well: after a loop, a chair may be either of two that
+// were seen together. Where every pair has rivals, the best pair and its rivals; which one it is, the
+// odometry may tell. `seconds_between` limits it to pairs seen within that time of each other (without loop
+// closure); none: no limit.
+std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                            std::optional<double> seconds_between, const ObjectAssociationOptions& options);
 
 // Makes one object of two: observations, factors, phi; later objects move up.
 void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi);

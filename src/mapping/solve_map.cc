@@ -17,18 +17,39 @@ std::optional<double> SecondsBetween(const MappingOptions& options) {
 
 // Bearings that disagree would rather have the camera travel less: while single views with their errors of
 // depth are all there is, the scale stays as the front end learnt it.
-void SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options) {
+MapSolution SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options) {
   const bool held = std::exchange(graph.scale_is_held, true);
-  SolveMapGraph(graph, options);
+  const MapSolution solution = SolveMapGraph(graph, options);
   graph.scale_is_held = held;
+  return solution;
+}
+
+// Of joins that exclude each other, makes the one that costs the solved graph least: a wrong one bends the
+// odometry more, or its views disagree. A loop that closes moves the cameras.
+void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, MapGraph& graph,
+              ObjectOfObservation& phi) {
+  struct Outcome {
+    MapGraph graph;
+    ObjectOfObservation phi;
+    double cost = 0;
+  };
+  std::optional<Outcome> best;
+  for (const Join& join : joins) {
+    Outcome outcome{graph, phi};
+    Apply(join, outcome.graph, outcome.phi);
+    outcome.cost = SolveWithScaleHeld(outcome.graph, options).final_cost;
+    if (!best || outcome.cost < best->cost) best = std::move(outcome);
+  }
+  graph = std::move(best->graph);
+  phi = std::move(best->phi);
 }
 
 void JoinWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
                       ObjectOfObservation& phi) {
   SolveWithScaleHeld(graph, options.solver);
-  while (const auto join = FindJoin(graph, frames, SecondsBetween(options), options.association)) {
-    Apply(*join, graph, phi);
-    SolveWithScaleHeld(graph, options.solver);  // a loop that closes moves the cameras
+  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), options.association); };
+  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) {
+    MakeBest(joins, options.solver, graph, phi);
   }
 }
 
@@ -38,9 +59,8 @@ void JoinOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& 
                      ObjectOfObservation& phi) {
   ObjectAssociationOptions only_overlap = options.association;
   only_overlap.gate = 0;
-  while (const auto join = FindJoin(graph, frames, SecondsBetween(options), only_overlap)) {
-    Apply(*join, graph, phi);
-  }
+  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), only_overlap); };
+  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) Apply(joins.front(), graph, phi);
 }
 
 void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
