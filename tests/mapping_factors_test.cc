@@ -8,6 +8,7 @@
 #include "geometry/rotation.h"
 #include "geometry/se3.h"
 #include "mapping/map_factors.h"
+#include "mapping/pose_block.h"
 #include "support/map_world.h"
 
 namespace armature {

@@ -155,7 +155,7 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   const bool usable = summary.IsSolutionUsable();
   if (usable) Store(blocks, graph);
   return {summary.initial_cost, usable ? summary.final_cost : summary.initial_cost,
-          summary.num_successful_steps + summary.num_unsuccessful_steps};
+          static_cast<int>(summary.iterations.size()) - 1};  // the first is the start
 }
 
 std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& options) {
@@ -169,6 +169,7 @@ std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& 
       if (&a <= &b) pairs.emplace_back(&a, &b);
     }
   }
+  const OneThread one_thread;
   ceres::Covariance covariance{ceres::Covariance::Options()};
   if (!covariance.Compute(pairs, &problem)) return std::nullopt;
   double sum = 0;

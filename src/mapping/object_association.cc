@@ -244,6 +244,23 @@ void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi) {
   graph.objects.erase(graph.objects.begin() + join.joined);
 }
 
+void DropUnseen(MapGraph& graph, ObjectOfObservation& phi) {
+  std::vector<int> renumbered(graph.objects.size(), -1);
+  for (const ObjectFactor& factor : graph.observations) renumbered[static_cast<size_t>(factor.object)] = 0;
+  std::vector<GraphObject> seen;
+  for (size_t o = 0; o < renumbered.size(); ++o) {
+    if (renumbered[o] < 0) continue;
+    renumbered[o] = static_cast<int>(seen.size());
+    seen.push_back(std::move(graph.objects[o]));
+  }
+  graph.objects = std::move(seen);
+  for (ObjectFactor& factor : graph.observations)
+    factor.object = renumbered[static_cast<size_t>(factor.object)];
+  for (std::vector<int>& of_frame : phi) {
+    for (int& object : of_frame) object = object < 0 ? -1 : renumbered[static_cast<size_t>(object)];
+  }
+}
+
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
                                         const ObjectOfObservation& phi, std::optional<double> seconds_between,
                                         const ObjectAssociationOptions& options) {

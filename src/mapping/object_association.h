@@ -40,6 +40,9 @@ std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& 
 // Makes one object of two: observations, factors, phi; later objects move up.
 void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi);
 
+// Takes objects without any observation out of graph and phi; later objects move up.
+void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);
+
 // Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame.
 // Objects are candidates within `seconds_between` of the observations that phi gives them now.
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,

@@ -71,6 +71,7 @@ void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const Re
     JoinOverlapping(frames, options, graph, phi);
     phi = AssociateDetections(graph, frames, phi, SecondsBetween(options), options.association);
     Relinearise(frames, phi, round, box, resection, options.refinement, graph);
+    DropUnseen(graph, phi);
     SolveMapGraph(graph, solver);
   }
 }
