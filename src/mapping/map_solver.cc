@@ -128,7 +128,7 @@ void Store(const Blocks& blocks, MapGraph& graph) {
 ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = options.max_iterations;
+  solver.max_num_iterations = 2 * options.max_iterations + 10;
   solver.initial_trust_region_radius = 1e6;
   solver.function_tolerance = 1e-5;
   solver.num_threads = 1;
@@ -143,6 +143,19 @@ void AddFactors(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
   AddObservations(graph, options, blocks, problem);
 }
 
+// Ends the solution after some steps that were taken; Ceres itself counts those it tried and took back, too.
+class StopAfterSteps : public ceres::IterationCallback {
+ public:
+  explicit StopAfterSteps(int steps) : left_(steps) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    if (summary.iteration > 0 && summary.step_is_successful) --left_;
+    return left_ > 0 ? ceres::SOLVER_CONTINUE : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+  }
+
+ private:
+  int left_;
+};
+
 }  // namespace
 
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
@@ -150,8 +163,11 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   ceres::Problem problem;
   AddFactors(graph, options, blocks, problem);
   ceres::Solver::Summary summary;
+  StopAfterSteps stop(options.max_iterations);
+  ceres::Solver::Options solver = SolverOptions(options);
+  solver.callbacks.push_back(&stop);
   const OneThread one_thread;
-  ceres::Solve(SolverOptions(options), &problem, &summary);
+  ceres::Solve(solver, &problem, &summary);
   const bool usable = summary.IsSolutionUsable();
   if (usable) Store(blocks, graph);
   return {summary.initial_cost, usable ? summary.final_cost : summary.initial_cost,
