@@ -107,26 +107,7 @@ void ExpectJacobians(const ceres::CostFunction& cost, const std::vector<Block>& 
 const Eigen::Isometry3d kPoseA = Pose({0.3, -1.2, 0.7}, {5, -0.2, 1});
 const Eigen::Isometry3d kPoseB = Pose({-0.4, 0.5, 2.0}, {4, 1.3, 2});
 
-// --- The manifold of poses
-
-TEST(PoseManifold, ABlockIsThePose) {
-  EXPECT_TRUE(FromBlock(ToBlock(kPoseA).data()).isApprox(kPoseA, 1e-12));
-  EXPECT_EQ(ToBlock(kPoseA).head<3>(), kPoseA.translation());
-}
-
-TEST(PoseManifold, MinusUndoesPlus) {
-  const Block x = BlockOf(kPoseA);
-  for (const double size : {0.0, 1e-9, 0.3, 2.0}) {
-    Vector6d delta, back;
-    delta << 1, -0.5, 0.25, 3, 2, -1;
-    delta *= size;
-    Block moved(7);
-    PoseManifold().Plus(x.data(), delta.data(), moved.data());
-    EXPECT_NEAR(Eigen::Map<Eigen::Vector4d>(moved.data() + 3).norm(), 1, 1e-12);
-    PoseManifold().Minus(moved.data(), x.data(), back.data());
-    EXPECT_LT((back - delta).norm(), 1e-9) << "size " << size;
-  }
-}
+// --- The manifold of poses (more in mapping_pose_block_test.cc)
 
 TEST(PoseManifold, PlusUndoesMinus) {
   const Block x = BlockOf(kPoseA), y = BlockOf(kPoseB);
@@ -135,16 +116,6 @@ TEST(PoseManifold, PlusUndoesMinus) {
   PoseManifold().Minus(y.data(), x.data(), delta.data());
   PoseManifold().Plus(x.data(), delta.data(), reached.data());
   EXPECT_TRUE(FromBlock(reached.data()).isApprox(kPoseB, 1e-9));
-}
-
-TEST(PoseManifold, PlusIsAStepOnTheRight) {
-  Vector6d delta;
-  delta << 1, -0.5, 0.25, 3, 2, -1;
-  delta *= 1e-5;
-  const Block x = BlockOf(kPoseA);
-  Block moved(7);
-  PoseManifold().Plus(x.data(), delta.data(), moved.data());
-  EXPECT_LT(LogSE3((kPoseA * ExpSE3(delta)).inverse() * FromBlock(moved.data())).norm(), 1e-8);
 }
 
 TEST(PoseManifold, BothSignsOfAQuaternionAreOnePose) {

@@ -9,7 +9,7 @@
 namespace armature {
 
 struct MapSolverOptions {
-  int max_iterations = 20;
+  int max_iterations = 20;       // steps taken
   double loss_scale = 3;         // of the Cauchy loss on an object factor, per square root of its 6 + B rows
   double shape_weight = 1.5;     // multiplies the coefficients in the category's shape prior
   double upright_sigma_deg = 1;  // degrees: of an object's y axis about up; 0: no such factor

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "association/box_constraints.h"
 #include "geometry/assignment.h"
@@ -162,7 +163,7 @@ Candidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen&
   return {join, overlap ? std::min(distance, options.gate) : distance};
 }
 
-// All pairs of objects that may be one, the best first.
+// All pairs of objects that may be one, the best first; those whose fronts disagree last.
 std::vector<Candidate> Candidates(const MapGraph& graph, const std::vector<MapFrame>& frames,
                                   std::optional<double> seconds_between,
                                   const ObjectAssociationOptions& options) {
@@ -182,8 +183,9 @@ std::vector<Candidate> Candidates(const MapGraph& graph, const std::vector<MapFr
       if (candidate.score <= options.gate) candidates.push_back(candidate);
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.join.flipped, a.score) < std::pair(b.join.flipped, b.score);
+  });
   return candidates;
 }
 
@@ -197,12 +199,12 @@ std::optional<std::pair<int, int>> Others(const Join& a, const Join& b) {
 }
 
 // Itself first, then the joins that cannot be if it is: those that take one of its objects for a third one
-// which cannot be the same as its other.
+// which cannot be the same as its other. What would have to be flipped is no rival of what need not.
 std::vector<Join> RivalsOf(const Candidate& candidate, const std::vector<Candidate>& candidates) {
   std::vector<Join> rivals{candidate.join};
   for (const Candidate& rival : candidates) {
     const auto others = Others(candidate.join, rival.join);
-    if (!others) continue;
+    if (!others || (rival.join.flipped && !candidate.join.flipped)) continue;
     const bool may_be_one = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return std::minmax(c.join.kept, c.join.joined) == std::minmax(others->first, others->second);
     });

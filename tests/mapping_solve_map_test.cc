@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps of synthetic rooms whose true cameras and furniture are known.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/viewpoint.h"
+#include "mapping/object_map.h"
+#include "mapping/solve_map.h"
+#include "support/map_world.h"
+
+namespace armature {
+namespace {
+
+using testing::MapWorld;
+using testing::TrueFurniture;
+using testing::WorldNoise;
+
+Map Solve(const std::vector<MapFrame>& frames, const ScaleEstimate& expected, const MappingOptions& options) {
+  return SolveMap(frames, expected, BoxOptions{}, ResectionOptions{}, options);
+}
+
+// Root mean square distance of the cameras from the true ones, metres.
+double TrajectoryError(const std::vector<Eigen::Isometry3d>& cameras, const MapWorld& world) {
+  double sum = 0;
+  for (size_t i = 0; i < cameras.size(); ++i) {
+    sum += (cameras[i].translation() - world.T_world_camera[i].translation()).squaredNorm();
+  }
+  return std::sqrt(sum / static_cast<double>(cameras.size()));
+}
+
+// The map's object nearest to a true one of its category; null: none within 0.8 m.
+const MapObject* Nearest(const Map& map, const TrueFurniture& truth) {
+  const MapObject* nearest = nullptr;
+  double least = 0.8;
+  for (const MapObject& object : map.objects) {
+    const double distance = (object.T_world_object.translation() - truth.T_world_object.translation()).norm();
+    if (object.model != truth.model || distance > least) continue;
+    least = distance;
+    nearest = &object;
+  }
+  return nearest;
+}
+
+double TurnError(const MapObject& object, const TrueFurniture& truth) {
+  return std::abs(AzimuthDifference(YawBetween(truth.T_world_object, object.T_world_object), 0,
+                                    truth.model->spec.symmetry_order)) /
+         kDegree;
+}
+
+// The worst of all true objects.
+struct ObjectErrors {
+  double metres = 0, turn_deg = 0, size = 0;
+};
+
+ObjectErrors ErrorsOf(const Map& map, const MapWorld& world) {
+  ObjectErrors worst;
+  for (const TrueFurniture& truth : world.furniture) {
+    const MapObject* object = Nearest(map, truth);
+    if (!object) return {99, 180, 99};
+    const Eigen::Vector3d apart = object->T_world_object.translation() - truth.T_world_object.translation();
+    worst.metres = std::max(worst.metres, apart.norm());
+    worst.turn_deg = std::max(worst.turn_deg, TurnError(*object, truth));
+    const Eigen::Vector3d size =
+        BoundingBoxSize(WireframeFromCoefficients(*truth.model, truth.coefficients)) +
+        Eigen::Vector3d::Constant(2 * truth.model->spec.padding);
+    worst.size = std::max(worst.size, (object->Size() - size).cwiseAbs().maxCoeff());
+  }
+  return worst;
+}
+
+// Of the map's objects, no more and no fewer, and its cameras.
+void ExpectTrueMap(const Map& map, const MapWorld& world, double metres, double turn_deg, double trajectory) {
+  EXPECT_EQ(map.objects.size(), world.furniture.size());
+  const ObjectErrors errors = ErrorsOf(map, world);
+  EXPECT_LT(errors.metres, metres);
+  EXPECT_LT(errors.size, metres);
+  EXPECT_LT(errors.turn_deg, turn_deg);
+  EXPECT_LT(TrajectoryError(map.T_world_camera, world), trajectory);
+}
+
+// Two chairs and a table; the camera goes past them in an arc.
+void FurnishRoom(MapWorld& world, int cameras = 40) {
+  world.Put("chair", -0.8, 2.6, 160, 0.6);
+  world.Put("chair", 0.9, 2.3, -130, -0.4);
+  world.Put("table", 0.1, 3.6, 20, 0.3);
+  for (int i = 0; i < cameras; ++i) {
+    const double share = i / (cameras - 1.0);
+    world.Look(-1.2 * share + 0.4 * std::sin(6 * share), 0.9 * share, 0.1, 2.8);
+  }
+}
+
+constexpr double kUnit = 2.65;            // metres a unit of odometry
+const ScaleEstimate kExpected{2.5, 0.1};  // what the front end has learnt of it
+
+constexpr WorldNoise kNoise{.segment_pixels = 0.7, .depth = 0.06, .yaw_deg = 4, .shape = 0.5, .unit = kUnit};
+
+TEST(SolveMap, PerfectViewsGiveTheTrueMap) {
+  MapWorld world;
+  FurnishRoom(world);
+  world.Put("laptop", -0.4, 2.2, 170, 0, 0.5);
+  const Map map = Solve(world.Frames({.unit = kUnit}), kExpected, {});
+  ExpectTrueMap(map, world, 0.02, 0.3, 0.01);
+  EXPECT_NEAR(map.MeanScale(), kUnit, 0.01 * kUnit);
+}
+
+TEST(SolveMap, NoiseAveragesOut) {
+  MapWorld world;
+  FurnishRoom(world);
+  const Map map = Solve(world.Frames(kNoise), kExpected, {});
+  ExpectTrueMap(map, world, 0.03, 1, 0.01);
+  ASSERT_TRUE(map.scale_sigma);
+  EXPECT_LT(*map.scale_sigma, 0.05);
+  EXPECT_LT(std::abs(std::log(map.MeanScale() / kUnit)), 3 * *map.scale_sigma);
+}
+
+TEST(SolveMap, StartsFromAnyScale) {
+  MapWorld world;
+  FurnishRoom(world);
+  const Map map = Solve(world.Frames({.unit = kUnit}), {1.8, 1.0}, {});
+  ExpectTrueMap(map, world, 0.03, 0.5, 0.02);
+  EXPECT_NEAR(map.MeanScale(), kUnit, 0.02 * kUnit);
+}
+
+TEST(SolveMap, ADriftingOdometryIsStraightened) {
+  MapWorld world;
+  FurnishRoom(world, 60);
+  WorldNoise noise = kNoise;
+  noise.scale_drift = 0.1;
+  noise.heading_drift_deg = 4;
+  const std::vector<MapFrame> frames = world.Frames(noise);
+  const Map map = Solve(frames, kExpected, {});
+  ExpectTrueMap(map, world, 0.04, 1, 0.04);
+  const Map placed = PlaceByOdometry(frames, map, {});
+  EXPECT_GT(TrajectoryError(placed.T_world_camera, world), 3 * TrajectoryError(map.T_world_camera, world));
+}
+
+TEST(SolveMap, TurningInPlaceGivesMetricObjects) {
+  MapWorld world;
+  FurnishRoom(world, 0);
+  for (int i = 0; i < 40; ++i) world.Look(0, 0, -1.2 + 0.06 * i, 2.5);
+  const Map map = Solve(world.Frames({.segment_pixels = 0.5, .unit = kUnit}), ScaleEstimate{}, {});
+  ExpectTrueMap(map, world, 0.1, 2, 1e-3);
+}
+
+// What the front end makes of chairs when it takes their back for their front.
+std::vector<MapFrame> WithFlips(MapWorld& world, const std::vector<MapFrame>& frames, size_t every) {
+  const std::vector<TrueFurniture> furniture = world.furniture;
+  for (TrueFurniture& piece : world.furniture) {
+    if (piece.model->spec.name == "chair")
+      piece.T_world_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
+  }
+  const std::vector<MapFrame> flipped = world.Frames(kNoise);
+  world.furniture = furniture;
+  std::vector<MapFrame> mixed = frames;
+  for (size_t i = 0; i < frames.size(); i += every) {
+    for (MapObservation& observation : mixed[i].observations) {
+      for (const MapObservation& other : flipped[i].observations) {
+        if (other.track != observation.track) continue;
+        observation.measured = other.measured;
+        observation.evidence = other.evidence;
+      }
+    }
+  }
+  return mixed;
+}
+
+TEST(SolveMap, ChairsSeenTheWrongWayRoundAreOutvoted) {
+  MapWorld world;
+  FurnishRoom(world);
+  const std::vector<MapFrame> frames = WithFlips(world, world.Frames(kNoise), 3);
+  ExpectTrueMap(Solve(frames, kExpected, {}), world, 0.03, 1, 0.02);
+  MappingOptions unrefined;  // nor do they disturb the single views' consensus
+  unrefined.refinement.rounds = 0;
+  ExpectTrueMap(Solve(frames, kExpected, unrefined), world, 0.1, 5, 0.1);
+}
+
+TEST(SolveMap, SomeFalseMatchesAreSurvived) {
+  MapWorld world;
+  FurnishRoom(world);
+  std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (size_t i = 0; i < frames.size(); i += 5) {
+    for (MapObservation& observation : frames[i].observations) {
+      // Sure of a pose where it is not, and lines of something else.
+      observation.measured.T_camera_object.translation() *= 1.4;
+      observation.measured.T_camera_object.rotate(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()));
+      for (Segment& segment : observation.view.segments) segment.p1.y() += 60;
+    }
+  }
+  ExpectTrueMap(Solve(frames, kExpected, {}), world, 0.03, 1, 0.02);
+}
+
+TEST(SolveMap, FewerThanMinObservationsAreNoObject) {
+  MapWorld world;
+  FurnishRoom(world);
+  std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (size_t i = 0; i < frames.size(); ++i) {  // only three of the table
+    const size_t kept = i % 12 == 0 && i < 36 ? 3 : 2;
+    frames[i].observations.resize(std::min(frames[i].observations.size(), kept));
+  }
+  MappingOptions options;
+  options.recent_seconds = 5;
+  const auto tables = [&] {
+    const Map map = Solve(frames, kExpected, options);
+    return std::count_if(map.objects.begin(), map.objects.end(),
+                         [](const MapObject& object) { return object.model->spec.name == "table"; });
+  };
+  options.min_observations = 3;
+  EXPECT_EQ(tables(), 1);
+  options.min_observations = 4;
+  EXPECT_EQ(tables(), 0);
+}
+
+TEST(SolveMap, ObjectsAreNumberedAsTheyAreFirstSeenAndCounted) {
+  MapWorld world;
+  FurnishRoom(world);
+  const std::vector<MapFrame> frames = world.Frames({.unit = kUnit});
+  const Map map = Solve(frames, kExpected, {});
+  ASSERT_EQ(map.objects.size(), 3u);
+  EXPECT_EQ(map.objects[0].id, "chair0");
+  EXPECT_EQ(map.objects[1].id, "chair1");
+  EXPECT_EQ(map.objects[2].id, "table0");
+  ASSERT_EQ(map.phi.size(), frames.size());
+  for (size_t i = 0; i < frames.size(); ++i) {
+    for (size_t j = 0; j < map.phi[i].size(); ++j) EXPECT_EQ(map.phi[i][j], frames[i].observations[j].track);
+  }
+}
+
+void ExpectSameBytes(const Map& a, const Map& b) {
+  ASSERT_EQ(a.T_world_camera.size(), b.T_world_camera.size());
+  for (size_t i = 0; i < a.T_world_camera.size(); ++i)
+    EXPECT_EQ(a.T_world_camera[i].matrix(), b.T_world_camera[i].matrix());
+  ASSERT_EQ(a.objects.size(), b.objects.size());
+  for (size_t o = 0; o < a.objects.size(); ++o) {
+    EXPECT_EQ(a.objects[o].T_world_object.matrix(), b.objects[o].T_world_object.matrix());
+    EXPECT_EQ(a.objects[o].coefficients, b.objects[o].coefficients);
+  }
+  EXPECT_EQ(a.phi, b.phi);
+  EXPECT_EQ(a.log_scale, b.log_scale);
+  EXPECT_EQ(a.scale_sigma, b.scale_sigma);
+}
+
+TEST(SolveMap, TheSameFramesGiveTheSameBytes) {
+  MapWorld world;
+  FurnishRoom(world);
+  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  ExpectSameBytes(Solve(frames, kExpected, {}), Solve(frames, kExpected, {}));
+}
+
+TEST(SolveMap, AScaleThatIsKnownIsHeld) {
+  MapWorld world;
+  FurnishRoom(world);
+  const Map map = Solve(world.Frames({.unit = 1.1}), {1, 0}, {});  // not quite true
+  for (const double log_scale : map.log_scale) EXPECT_EQ(log_scale, 0);
+  EXPECT_FALSE(map.scale_sigma);
+}
+
+TEST(SolveMap, WithoutObjectsItIsTheOdometry) {
+  MapWorld world;
+  FurnishRoom(world, 10);
+  world.furniture.clear();
+  const Map map = Solve(world.Frames({.unit = kUnit}), {kUnit, 0.1}, {});
+  EXPECT_TRUE(map.objects.empty());
+  EXPECT_LT(TrajectoryError(map.T_world_camera, world), 1e-6);
+}
+
+TEST(SolveMap, OneFrameIsEnough) {
+  MapWorld world;
+  FurnishRoom(world, 2);
+  world.T_world_camera.resize(1);
+  const Map map = Solve(world.Frames({.unit = kUnit}), kExpected, {});
+  EXPECT_TRUE(map.objects.empty());
+  EXPECT_EQ(map.T_world_camera.size(), 1u);
+}
+
+// --- Loops
+
+struct Loop {
+  double apart = 0.7;    // metres between the chairs of the row
+  double turn_deg = 40;  // from chair to chair
+  bool alike = false;
+};
+
+// Round a circle of 12 m and a little farther, looking outwards at a row of chairs and a few other things.
+void FurnishLoop(MapWorld& world, const Loop& loop) {
+  const auto around = [](double angle_deg, double radius) {
+    const double angle = angle_deg * kDegree;
+    return Eigen::Vector2d(radius * std::sin(angle), -1.9 + radius * std::cos(angle));
+  };
+  for (int chair = 0; chair < 4; ++chair) {
+    const double shape = loop.alike ? 0 : 0.5 * chair - 0.5;
+    world.Put("chair", (chair - 1.5) * loop.apart, 2.4, 180 + loop.turn_deg * chair, shape);
+  }
+  int number = 0;
+  for (const double angle : {60, 105, 150, 195, 240, 285}) {
+    const Eigen::Vector2d at = around(angle, 4.3);
+    world.Put(number % 3 == 1 ? "table" : "chair", at.x(), at.y(), 50 * number, 0.3 * (number % 3) - 0.3);
+    ++number;
+  }
+  for (double angle = 0; angle <= 400; angle += 5) {
+    const Eigen::Vector2d from = around(angle, 1.9), at = around(angle, 4.3);
+    world.Look(from.x(), from.y(), at.x(), at.y());
+  }
+}
+
+// 5 % of scale and 5 degrees of heading over the loop.
+WorldNoise LoopDrift(double scale_sign, double heading_sign) {
+  WorldNoise noise = kNoise;
+  noise.scale_drift = scale_sign * 0.05 / 12;
+  noise.heading_drift_deg = heading_sign * 5.0 / 12;
+  return noise;
+}
+
+TEST(SolveMap, ALoopIsClosedByItsObjects) {
+  MapWorld world;
+  FurnishLoop(world, {});
+  const std::vector<MapFrame> frames = world.Frames(LoopDrift(1, 1));
+  const Map closed = Solve(frames, kExpected, {});
+  ExpectTrueMap(closed, world, 0.08, 1, 0.04);
+  MappingOptions options;
+  options.loop_closure = false;
+  const Map open = Solve(frames, kExpected, options);
+  EXPECT_GT(open.objects.size(), world.furniture.size());  // what is seen again is there twice
+  EXPECT_GT(TrajectoryError(open.T_world_camera, world), 3 * TrajectoryError(closed.T_world_camera, world));
+}
+
+class SolveMapLoops : public ::testing::TestWithParam<Loop> {};
+
+// Chairs that look alike, where the drift is half as far as from one to the next.
+TEST_P(SolveMapLoops, NoChairIsTakenForItsNeighbour) {
+  for (const double sign : {1, -1}) {
+    MapWorld world;
+    FurnishLoop(world, GetParam());
+    ExpectTrueMap(Solve(world.Frames(LoopDrift(sign, sign)), kExpected, {}), world, 0.08, 1.5, 0.04);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Chairs, SolveMapLoops,
+                         ::testing::Values(Loop{0.7, 0, true}, Loop{0.7, 180, true}, Loop{1.2, 0, true}));
+
+// --- By odometry alone
+
+TEST(PlaceByOdometry, CamerasAreWhereTheScaledOdometryHasThem) {
+  MapWorld world;
+  FurnishRoom(world);
+  WorldNoise noise = kNoise;
+  noise.scale_drift = 0.1;
+  noise.heading_drift_deg = 4;
+  const std::vector<MapFrame> frames = world.Frames(noise);
+  const Map map = Solve(frames, kExpected, {});
+  const Map placed = PlaceByOdometry(frames, map, {});
+  EXPECT_NEAR(placed.MeanScale(), map.MeanScale(), 1e-9);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    Eigen::Isometry3d expected = frames[i].T_odom_camera;
+    expected.translation() *= map.MeanScale();
+    EXPECT_TRUE(placed.T_world_camera[i].isApprox(expected, 1e-9)) << i;
+  }
+  EXPECT_EQ(placed.phi, map.phi);
+  ASSERT_EQ(placed.objects.size(), map.objects.size());
+  for (size_t o = 0; o < map.objects.size(); ++o) EXPECT_EQ(placed.objects[o].id, map.objects[o].id);
+  EXPECT_GT(ErrorsOf(placed, world).metres, 2 * ErrorsOf(map, world).metres);
+}
+
+// --- While frames come in
+
+ObjectMap EmptyMap(const MappingOptions& options) { return {options, BoxOptions{}, ResectionOptions{}}; }
+
+TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
+  MapWorld world;
+  FurnishRoom(world);
+  MappingOptions options;
+  options.first_solve = 20;
+  ObjectMap map = EmptyMap(options);
+  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    map.Add(frames[i], kExpected);
+    ASSERT_EQ(map.current().T_world_camera.size(), i + 1);
+    ASSERT_EQ(map.current().timestamps.size(), i + 1);
+    ASSERT_EQ(map.current().phi.size(), i + 1);
+    EXPECT_EQ(map.current().phi[i].size(), frames[i].observations.size());
+    EXPECT_EQ(map.current().timestamps[i], frames[i].timestamp);
+    EXPECT_EQ(map.current().objects.empty(), i + 1 < 20) << i;
+  }
+  EXPECT_EQ(map.current().objects.size(), 3u);
+  EXPECT_LT(TrajectoryError(map.current().T_world_camera, world), 0.1);
+}
+
+TEST(ObjectMap, FollowsTheOdometryAtTheExpectedScaleBeforeThat) {
+  MapWorld world;
+  FurnishRoom(world, 10);
+  ObjectMap map = EmptyMap({});
+  for (const MapFrame& frame : world.Frames({.unit = kUnit})) map.Add(frame, {kUnit, 0.1});
+  EXPECT_LT(TrajectoryError(map.current().T_world_camera, world), 1e-6);
+}
+
+TEST(ObjectMap, InTheEndItIsTheMapOfAllFrames) {
+  MapWorld world;
+  FurnishRoom(world);
+  ObjectMap map = EmptyMap({});
+  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (const MapFrame& frame : frames) map.Add(frame, {2, 1});
+  ExpectSameBytes(map.Solve(kExpected), Solve(frames, kExpected, {}));
+}
+
+TEST(ObjectMap, ScaleNoneIsMetres) {
+  MapWorld world;
+  FurnishRoom(world);
+  MappingOptions options;
+  options.scale = "none";
+  ObjectMap map = EmptyMap(options);
+  for (const MapFrame& frame : world.Frames({.unit = 1.1})) map.Add(frame, kExpected);
+  EXPECT_EQ(map.current().MeanScale(), 1);
+  EXPECT_EQ(map.Solve(kExpected).MeanScale(), 1);
+}
+
+}  // namespace
+}  // namespace armature
