@@ -6,9 +6,9 @@
 #include <set>
 
 #include "eval/observation_metrics.h"
-#include "geometry/oriented_box.h"
 #include "eval/true_scene.h"
 #include "eval/visible_edges.h"
+#include "geometry/oriented_box.h"
 
 namespace armature {
 namespace {
