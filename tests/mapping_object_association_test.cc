@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "geometry/rotation.h"
 #include "mapping/map_objects.h"
@@ -281,6 +282,36 @@ TEST(FindJoins, WhatHasNoRivalsComesFirst) {
   const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
   ASSERT_EQ(joins.size(), 1u);
   EXPECT_EQ(map.graph.objects[static_cast<size_t>(joins[0].kept)].model->spec.name, "table");
+}
+
+TEST(FindJoins, AChairThatWouldHaveToBeFlippedIsNoRival) {
+  MapWorld world;
+  world.Put("chair", -0.35, 2.5, 150);
+  world.Put("chair", 0.35, 2.5, -30);
+  Walk(world);
+  const std::vector<MapFrame> frames = SeenAgain(world, Shift(0.35, 0));
+  const FirstMap map(frames);
+  ASSERT_EQ(map.graph.objects.size(), 4u);
+  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
+  ASSERT_EQ(joins.size(), 1u);
+  EXPECT_FALSE(joins[0].flipped);
+}
+
+TEST(DropUnseen, LaterObjectsMoveUp) {
+  MapWorld world;
+  world.Put("chair", -0.6, 2.5, 150);
+  world.Put("chair", 0.6, 2.5, 150);
+  world.Put("table", 0, 4, 0);
+  Walk(world);
+  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  FirstMap map(frames);
+  ASSERT_EQ(map.graph.objects.size(), 3u);
+  std::erase_if(map.graph.observations, [](const ObjectFactor& factor) { return factor.object == 1; });
+  DropUnseen(map.graph, map.phi);
+  ASSERT_EQ(map.graph.objects.size(), 2u);
+  EXPECT_EQ(map.graph.objects[1].model->spec.name, "table");
+  EXPECT_EQ(map.phi[0], (std::vector<int>{0, -1, 1}));
+  for (const ObjectFactor& factor : map.graph.observations) EXPECT_LT(factor.object, 2);
 }
 
 // --- Detections

@@ -191,6 +191,28 @@ TEST(SolveMap, SomeFalseMatchesAreSurvived) {
   ExpectTrueMap(Solve(frames, kExpected, {}), world, 0.03, 1, 0.02);
 }
 
+// Four views that agree, and one that is just as sure of a place 2 m away: a mean would be off by 0.4 m.
+TEST(SolveMapGraph, OneViewFarOffHardlyMatters) {
+  MapWorld world;
+  world.Put("laptop", 0, 2, 0, 0, 0.8);
+  const TrueFurniture& laptop = world.furniture[0];
+  MapGraph graph;
+  graph.T_world_camera = {Eigen::Isometry3d::Identity()};
+  graph.log_scale = {0, 0};
+  graph.objects = {{laptop.model, laptop.T_world_object, laptop.coefficients}};
+  const Eigen::Index size = 6 + laptop.coefficients.size();
+  ObjectFactor factor{0,
+                      0,
+                      {laptop.T_world_object, laptop.coefficients},
+                      50 * Eigen::MatrixXd::Identity(size, size),
+                      Eigen::VectorXd::Zero(size)};
+  graph.observations.assign(5, factor);
+  graph.observations.back().at.T_camera_object.pretranslate(Eigen::Vector3d(2, 0, 0));
+  SolveMapGraph(graph, {});
+  EXPECT_LT((graph.objects[0].T_world_object.translation() - laptop.T_world_object.translation()).norm(),
+            0.05);
+}
+
 TEST(SolveMap, FewerThanMinObservationsAreNoObject) {
   MapWorld world;
   FurnishRoom(world);
@@ -260,9 +282,11 @@ TEST(SolveMap, WithoutObjectsItIsTheOdometry) {
   MapWorld world;
   FurnishRoom(world, 10);
   world.furniture.clear();
-  const Map map = Solve(world.Frames({.unit = kUnit}), {kUnit, 0.1}, {});
+  const Map map = Solve(world.Frames({.unit = kUnit}), {kUnit, 0.3}, {});
   EXPECT_TRUE(map.objects.empty());
   EXPECT_LT(TrajectoryError(map.T_world_camera, world), 1e-6);
+  ASSERT_TRUE(map.scale_sigma);
+  EXPECT_NEAR(*map.scale_sigma, 0.3, 1e-6);  // nobody is wiser
 }
 
 TEST(SolveMap, OneFrameIsEnough) {
@@ -382,7 +406,8 @@ TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
     EXPECT_EQ(map.current().timestamps[i], frames[i].timestamp);
     EXPECT_EQ(map.current().objects.empty(), i + 1 < 20) << i;
   }
-  EXPECT_EQ(map.current().objects.size(), 3u);
+  ASSERT_EQ(map.current().objects.size(), 3u);
+  EXPECT_GT(map.current().objects[0].observations, 30);  // it has been solved again since
   EXPECT_LT(TrajectoryError(map.current().T_world_camera, world), 0.1);
 }
 

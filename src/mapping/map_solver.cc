@@ -2,8 +2,10 @@
 #include "mapping/map_solver.h"
 
 #include <ceres/ceres.h>
+#include <ceres/crs_matrix.h>
 #include <ceres/normal_prior.h>
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -30,67 +32,51 @@ double FloorBelow(const MapGraph& graph) {
   return count > 0 ? sum / count : 0;
 }
 
-// The unknowns as Ceres sees them. In one piece of memory: its covariance orders blocks by address, and so
-// rounds alike in every run.
-class Blocks {
- public:
-  std::vector<double*> cameras, objects, shapes, log_scale;
-  double* up = nullptr;
-  double* floor = nullptr;  // metres, along up
+// The unknowns as Ceres sees them.
+struct Blocks {
+  std::vector<PoseBlock> cameras, objects;
+  std::vector<Eigen::VectorXd> shapes;
+  std::vector<double> log_scale;
+  Eigen::Vector3d up;
+  double floor = 0;  // metres, along up
 
-  explicit Blocks(const MapGraph& graph) {
-    size_t size = 7 * graph.T_world_camera.size() + graph.log_scale.size() + 3 + 1;
-    for (const GraphObject& object : graph.objects)
-      size += 7 + static_cast<size_t>(object.coefficients.size());
-    values_.reserve(size);
-    for (const Eigen::Isometry3d& pose : graph.T_world_camera) cameras.push_back(Append(ToBlock(pose)));
+  explicit Blocks(const MapGraph& graph) : log_scale(graph.log_scale), up(graph.up_world) {
+    for (const Eigen::Isometry3d& pose : graph.T_world_camera) cameras.push_back(ToBlock(pose));
     for (const GraphObject& object : graph.objects) {
-      objects.push_back(Append(ToBlock(object.T_world_object)));
-      shapes.push_back(Append(object.coefficients));
+      objects.push_back(ToBlock(object.T_world_object));
+      shapes.push_back(object.coefficients);
     }
-    for (const double value : graph.log_scale)
-      log_scale.push_back(Append(Eigen::Matrix<double, 1, 1>(value)));
-    up = Append(graph.up_world);
-    floor = Append(Eigen::Matrix<double, 1, 1>(FloorBelow(graph)));
+    floor = FloorBelow(graph);
   }
-  Blocks(const Blocks&) = delete;
-  Blocks& operator=(const Blocks&) = delete;
-
- private:
-  double* Append(const Eigen::VectorXd& block) {
-    values_.insert(values_.end(), block.begin(), block.end());
-    return values_.data() + values_.size() - block.size();
-  }
-
-  std::vector<double> values_;  // never grows beyond what was reserved
 };
 
 void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
                  ceres::Problem& problem) {
   for (const OdometryFactor& factor : graph.odometry) {
     const auto knot = static_cast<size_t>(factor.knot);
-    problem.AddResidualBlock(
-        new OdometryCost(factor), nullptr, blocks.cameras[static_cast<size_t>(factor.from)],
-        blocks.cameras[static_cast<size_t>(factor.to)], blocks.log_scale[knot], blocks.log_scale[knot + 1]);
+    problem.AddResidualBlock(new OdometryCost(factor), nullptr,
+                             blocks.cameras[static_cast<size_t>(factor.from)].data(),
+                             blocks.cameras[static_cast<size_t>(factor.to)].data(), &blocks.log_scale[knot],
+                             &blocks.log_scale[knot + 1]);
   }
-  for (double* camera : blocks.cameras) problem.AddParameterBlock(camera, 7, new PoseManifold);
-  problem.SetParameterBlockConstant(blocks.cameras.front());
+  for (PoseBlock& camera : blocks.cameras) problem.AddParameterBlock(camera.data(), 7, new PoseManifold);
+  problem.SetParameterBlockConstant(blocks.cameras.front().data());
   if (graph.cameras_are_held) {
-    for (double* camera : blocks.cameras) problem.SetParameterBlockConstant(camera);
+    for (PoseBlock& camera : blocks.cameras) problem.SetParameterBlockConstant(camera.data());
   }
-  for (double* value : blocks.log_scale) {
-    problem.AddParameterBlock(value, 1);
-    if (graph.scale_is_held) problem.SetParameterBlockConstant(value);
+  for (double& value : blocks.log_scale) {
+    problem.AddParameterBlock(&value, 1);
+    if (graph.scale_is_held) problem.SetParameterBlockConstant(&value);
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
     // Together, the knots' priors weigh as one.
     const double sigma = std::max(graph.expected_scale.sigma, options.min_scale_sigma) *
                          std::sqrt(static_cast<double>(blocks.log_scale.size()));
     const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(std::log(graph.expected_scale.scale));
-    problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, blocks.log_scale[k]);
+    problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
     if (k > 0) {
       problem.AddResidualBlock(new RandomWalkCost(options.scale_drift_sigma), nullptr,
-                               blocks.log_scale[k - 1], blocks.log_scale[k]);
+                               &blocks.log_scale[k - 1], &blocks.log_scale[k]);
     }
   }
 }
@@ -98,22 +84,22 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
 void AddObjects(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
                 ceres::Problem& problem) {
   const Eigen::Matrix3d up_weight = Eigen::Matrix3d::Identity() / graph.up_sigma;
-  problem.AddParameterBlock(blocks.up, 3, new ceres::SphereManifold<3>);
-  problem.AddResidualBlock(new ceres::NormalPrior(up_weight, graph.up_world), nullptr, blocks.up);
+  problem.AddParameterBlock(blocks.up.data(), 3, new ceres::SphereManifold<3>);
+  problem.AddResidualBlock(new ceres::NormalPrior(up_weight, graph.up_world), nullptr, blocks.up.data());
   for (size_t o = 0; o < blocks.objects.size(); ++o) {
-    double *pose = blocks.objects[o], *shape = blocks.shapes[o];
-    const Eigen::Index modes = graph.objects[o].coefficients.size();
+    double *pose = blocks.objects[o].data(), *shape = blocks.shapes[o].data();
+    const auto modes = blocks.shapes[o].size();
     problem.AddParameterBlock(pose, 7, new PoseManifold);
     const Eigen::MatrixXd shape_weight = options.shape_weight * Eigen::MatrixXd::Identity(modes, modes);
     problem.AddResidualBlock(new ceres::NormalPrior(shape_weight, Eigen::VectorXd::Zero(modes)), nullptr,
                              shape);
     if (options.upright_sigma_deg > 0) {
       problem.AddResidualBlock(new UprightCost(options.upright_sigma_deg * kDegree), nullptr, pose,
-                               blocks.up);
+                               blocks.up.data());
     }
     if (options.floor_sigma > 0 && graph.objects[o].model->spec.stands_on_floor) {
       problem.AddResidualBlock(new FloorCost(graph.objects[o], options.floor_sigma), nullptr, pose, shape,
-                               blocks.up, blocks.floor);
+                               blocks.up.data(), &blocks.floor);
     }
   }
 }
@@ -124,22 +110,21 @@ void AddObservations(const MapGraph& graph, const MapSolverOptions& options, Blo
     const auto object = static_cast<size_t>(factor.object);
     const double scale = options.loss_scale * std::sqrt(static_cast<double>(factor.b.size()));
     problem.AddResidualBlock(new ObjectCost(factor), new ceres::CauchyLoss(scale),
-                             blocks.cameras[static_cast<size_t>(factor.camera)], blocks.objects[object],
-                             blocks.shapes[object]);
+                             blocks.cameras[static_cast<size_t>(factor.camera)].data(),
+                             blocks.objects[object].data(), blocks.shapes[object].data());
   }
 }
 
 void Store(const Blocks& blocks, MapGraph& graph) {
   for (size_t i = 0; i < blocks.cameras.size(); ++i) {
-    graph.T_world_camera[i] = FromBlock(blocks.cameras[i]);
+    graph.T_world_camera[i] = FromBlock(blocks.cameras[i].data());
   }
   for (size_t o = 0; o < blocks.objects.size(); ++o) {
-    graph.objects[o].T_world_object = FromBlock(blocks.objects[o]);
-    Eigen::VectorXd& coefficients = graph.objects[o].coefficients;
-    coefficients = Eigen::Map<const Eigen::VectorXd>(blocks.shapes[o], coefficients.size());
+    graph.objects[o].T_world_object = FromBlock(blocks.objects[o].data());
+    graph.objects[o].coefficients = blocks.shapes[o];
   }
-  for (size_t k = 0; k < blocks.log_scale.size(); ++k) graph.log_scale[k] = *blocks.log_scale[k];
-  graph.up_world = Eigen::Map<const Eigen::Vector3d>(blocks.up);
+  graph.log_scale = blocks.log_scale;
+  graph.up_world = blocks.up;
 }
 
 ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
@@ -173,6 +158,33 @@ class StopAfterSteps : public ceres::IterationCallback {
   int left_;
 };
 
+// In an order of their own, the knots of the scale last. (Ceres' covariance orders blocks by address and
+// leaves the arithmetic to BLAS: its last bits differ from run to run.)
+std::vector<double*> FreeBlocks(Blocks& blocks, const ceres::Problem& problem) {
+  std::vector<double*> all;
+  for (PoseBlock& camera : blocks.cameras) all.push_back(camera.data());
+  for (PoseBlock& object : blocks.objects) all.push_back(object.data());
+  for (Eigen::VectorXd& shape : blocks.shapes) all.push_back(shape.data());
+  all.push_back(blocks.up.data());
+  all.push_back(&blocks.floor);
+  for (double& value : blocks.log_scale) all.push_back(&value);
+  std::vector<double*> free;
+  for (double* block : all) {
+    if (problem.HasParameterBlock(block) && !problem.IsParameterBlockConstant(block)) free.push_back(block);
+  }
+  return free;
+}
+
+Eigen::SparseMatrix<double> JacobianOf(ceres::Problem& problem, const std::vector<double*>& blocks) {
+  ceres::Problem::EvaluateOptions evaluate;
+  evaluate.parameter_blocks = blocks;
+  ceres::CRSMatrix rows;
+  problem.Evaluate(evaluate, nullptr, nullptr, nullptr, &rows);
+  return Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>>(
+      rows.num_rows, rows.num_cols, static_cast<Eigen::Index>(rows.values.size()), rows.rows.data(),
+      rows.cols.data(), rows.values.data());
+}
+
 }  // namespace
 
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
@@ -196,22 +208,14 @@ std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& 
   Blocks blocks(graph);
   ceres::Problem problem;
   AddFactors(graph, options, blocks, problem);
-  std::vector<std::pair<const double*, const double*>> pairs;
-  for (const double* a : blocks.log_scale) {
-    for (const double* b : blocks.log_scale) {
-      if (a <= b) pairs.emplace_back(a, b);
-    }
-  }
-  const OneThread one_thread;
-  ceres::Covariance covariance{ceres::Covariance::Options()};
-  if (!covariance.Compute(pairs, &problem)) return std::nullopt;
-  double sum = 0;
-  for (const auto& [a, b] : pairs) {
-    double value = 0;
-    covariance.GetCovarianceBlock(a, b, &value);
-    sum += a == b ? value : 2 * value;
-  }
-  return std::sqrt(sum) / static_cast<double>(blocks.log_scale.size());
+  const Eigen::SparseMatrix<double> J = JacobianOf(problem, FreeBlocks(blocks, problem));
+  // The scale's knots are the last columns: the mean's variance is w^T (J^T J)^-1 w.
+  const auto knots = static_cast<Eigen::Index>(blocks.log_scale.size());
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(J.cols());
+  w.tail(knots).setConstant(1 / static_cast<double>(knots));
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> information(J.transpose() * J);
+  if (information.info() != Eigen::Success || information.vectorD().minCoeff() <= 0) return std::nullopt;
+  return std::sqrt(w.dot(information.solve(w)));
 }
 
 }  // namespace armature
