@@ -386,6 +386,26 @@ TEST(PlaceByOdometry, CamerasAreWhereTheScaledOdometryHasThem) {
   EXPECT_GT(ErrorsOf(placed, world).metres, 2 * ErrorsOf(map, world).metres);
 }
 
+TEST(PlaceByOdometry, PlacesAnObjectThatOnlyUnsureViewsShow) {
+  MapWorld world;
+  FurnishRoom(world);
+  std::vector<MapFrame> frames = world.Frames({});
+  const Map map = Solve(frames, kExpected, {});
+  ASSERT_GT(map.objects.size(), 1u);
+  for (size_t i = 0; i < frames.size(); ++i) {  // the first object: later ones must not take its place
+    for (size_t j = 0; j < map.phi[i].size(); ++j) {
+      if (map.phi[i][j] == 0) frames[i].observations[j].track = -1;
+    }
+  }
+  const Map placed = PlaceByOdometry(frames, map, {});
+  for (size_t o = 0; o < map.objects.size(); ++o) {
+    EXPECT_LT(
+        (placed.objects[o].T_world_object.translation() - map.objects[o].T_world_object.translation()).norm(),
+        0.05)
+        << map.objects[o].id;
+  }
+}
+
 // --- While frames come in
 
 ObjectMap EmptyMap(const MappingOptions& options) { return {options, BoxOptions{}, ResectionOptions{}}; }

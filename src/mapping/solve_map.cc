@@ -119,6 +119,24 @@ Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const Obje
   return map;
 }
 
+// Single views that the front end was not sure of are left out, but for objects that have no other.
+ObjectOfObservation WithoutUnsureViews(const std::vector<MapFrame>& frames, ObjectOfObservation phi,
+                                       size_t objects) {
+  const auto is_sure = [&](size_t i, size_t j) { return frames[i].observations[j].track >= 0; };
+  std::vector<bool> has_sure(objects, false);
+  for (size_t i = 0; i < phi.size(); ++i) {
+    for (size_t j = 0; j < phi[i].size(); ++j) {
+      if (phi[i][j] >= 0 && is_sure(i, j)) has_sure[static_cast<size_t>(phi[i][j])] = true;
+    }
+  }
+  for (size_t i = 0; i < phi.size(); ++i) {
+    for (size_t j = 0; j < phi[i].size(); ++j) {
+      if (phi[i][j] >= 0 && has_sure[static_cast<size_t>(phi[i][j])] && !is_sure(i, j)) phi[i][j] = -1;
+    }
+  }
+  return phi;
+}
+
 }  // namespace
 
 Eigen::Vector3d MapObject::Size() const {
@@ -148,15 +166,7 @@ Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const M
   MapGraph graph = GraphOfOdometry(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
                                    options.up_sigma_deg);
   graph.cameras_are_held = true;
-  // Single views of detections that the front end was not sure of say where the map has them, not where they
-  // are.
-  ObjectOfObservation phi = map.phi;
-  for (size_t i = 0; i < phi.size(); ++i) {
-    for (size_t j = 0; j < phi[i].size(); ++j) {
-      if (frames[i].observations[j].track < 0) phi[i][j] = -1;
-    }
-  }
-  AddObjects(frames, phi, options.view_noise, graph);
+  AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), options.view_noise, graph);
   SolveMapGraph(graph, options.solver);
   Map placed = map;
   placed.T_world_camera = graph.T_world_camera;
