@@ -9,6 +9,7 @@
 #include "geometry/se3.h"
 #include "mapping/map_factors.h"
 #include "mapping/pose_block.h"
+#include "resection/resection_problem.h"
 #include "support/map_world.h"
 
 namespace armature {
@@ -281,7 +282,7 @@ TEST(FloorCost, LowestPointIsTheLowestOfAllEnds) {
   for (const char* category : {"chair", "table", "laptop"}) {
     const CategoryModel model = LoadModel(category);
     const GraphObject object = ExampleObject(model);
-    const ShapePoint lowest = LowestPoint(object);
+    const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
     EXPECT_NEAR((lowest.X0 + lowest.G * object.coefficients).y(), LowestY(object), 1e-9) << category;
   }
 }

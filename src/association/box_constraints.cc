@@ -77,6 +77,28 @@ std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected) {
   return extremes;
 }
 
+std::optional<Box> BoxAround(const ProjectedWireframe& projected) {
+  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  if (extremes[0].edge < 0) return std::nullopt;
+  return Box{extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
+             extremes[3].pixel - extremes[1].pixel};
+}
+
+std::optional<Box> ExpectedBox(const Camera& camera, const CategoryModel& model, const PoseAndShape& object) {
+  ProjectedWireframe projected;
+  const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
+  ProjectEdges(camera, WireframeFromCoefficients(model, object.coefficients), object.T_camera_object, image,
+               projected);
+  return BoxAround(projected);
+}
+
+std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double least_overlap) {
+  const double inside = Intersection(expected, seen).area() / std::max(seen.area(), 1.0);
+  const double overlap = IntersectionOverUnion(expected, seen);
+  if (overlap <= least_overlap && (inside <= 0.7 || overlap <= 0.1)) return std::nullopt;
+  return overlap + 0.3 * inside;
+}
+
 double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view) {
   return view.model->spec.padding * view.camera->fx * extreme.inverse_z;
 }

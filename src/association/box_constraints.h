@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "association/object_view.h"
 
@@ -46,6 +47,17 @@ struct ExtremePoint {
   double inverse_z = 0;  // 1/metres
 };
 std::array<ExtremePoint, 4> Extremes(const ProjectedWireframe& projected);
+
+// The box around the projection; none where nothing is projected.
+std::optional<Box> BoxAround(const ProjectedWireframe& projected);
+
+// The same of an object that nothing hides, cut at the image's border.
+std::optional<Box> ExpectedBox(const Camera& camera, const CategoryModel& model, const PoseAndShape& object);
+
+// How well a detection's box fits an expected one, up to 1.3: their intersection over union, and 0.3 of the
+// share of the box that is inside, as what is seen may be only a part. None where they have too little in
+// common.
+std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double least_overlap);
 
 // How many pixels the real object reaches beyond the wireframe there.
 double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view);

@@ -78,23 +78,8 @@ bool UprightCost::Evaluate(double const* const* parameters, double* residuals, d
   return true;
 }
 
-ShapePoint LowestPoint(const GraphObject& object) {
-  const Wireframe wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
-  EdgeEnd lowest;
-  double lowest_y = 1e9;
-  for (int edge = 0; edge < wireframe.edges(); ++edge) {
-    for (int end = 0; end < 2; ++end) {
-      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
-        lowest_y = y;
-        lowest = {edge, end};
-      }
-    }
-  }
-  return PointOnEdge(*object.model, lowest.edge, lowest.end - 0.5);
-}
-
 FloorCost::FloorCost(const GraphObject& object, double sigma) : sigma_(sigma) {
-  const ShapePoint lowest = LowestPoint(object);
+  const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
   point_ = lowest.X0;
   by_shape_ = lowest.G;
   mutable_parameter_block_sizes()->assign({7, static_cast<int>(lowest.G.cols()), 3, 1});

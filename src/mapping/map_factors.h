@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 
 #include "mapping/map_graph.h"
-#include "resection/resection_problem.h"
 
 namespace armature {
 
@@ -42,9 +41,6 @@ class UprightCost : public ceres::SizedCostFunction<3, 7, 3> {
  private:
   double sigma_;  // radians
 };
-
-// The object's lowest end of an edge, as a function of its shape.
-ShapePoint LowestPoint(const GraphObject& object);
 
 // The object stands on the floor. Blocks: object, coefficients, up (3), floor's height along up. 1 residual:
 // (up . X - height) / sigma, X the object's lowest point.

@@ -16,6 +16,7 @@
 #include "mapping/map_factors.h"
 #include "mapping/one_thread.h"
 #include "mapping/pose_block.h"
+#include "resection/resection_problem.h"
 
 namespace armature {
 namespace {
@@ -25,7 +26,7 @@ double FloorBelow(const MapGraph& graph) {
   double sum = 0, count = 0;
   for (const GraphObject& object : graph.objects) {
     if (!object.model->spec.stands_on_floor) continue;
-    const ShapePoint lowest = LowestPoint(object);
+    const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
     sum += graph.up_world.dot(object.T_world_object * (lowest.X0 + lowest.G * object.coefficients));
     ++count;
   }

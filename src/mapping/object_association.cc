@@ -120,20 +120,6 @@ double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, doub
   return *middle;
 }
 
-// The box around the object's projection in the image; empty where there is none.
-Box ProjectedBox(const Camera& camera, const GraphObject& object, const Eigen::Isometry3d& T_world_camera) {
-  const Eigen::Isometry3d T_camera_object = T_world_camera.inverse() * object.T_world_object;
-  if (T_camera_object.translation().z() < 0.1) return {};
-  ProjectedWireframe projected;
-  const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
-  ProjectEdges(camera, WireframeFromCoefficients(*object.model, object.coefficients), T_camera_object, image,
-               projected);
-  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
-  if (extremes[0].edge < 0) return {};
-  return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
-          extremes[3].pixel - extremes[1].pixel};
-}
-
 // First and last stamps at which phi has each object.
 std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<MapFrame>& frames,
                                              const ObjectOfObservation& phi) {
@@ -277,16 +263,17 @@ ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector
       if (seconds_between && (frames[i].timestamp < spans[o].first - *seconds_between ||
                               frames[i].timestamp > spans[o].second + *seconds_between))
         continue;
-      const Box expected =
-          ProjectedBox(*observations.front().view.camera, graph.objects[o], graph.T_world_camera[i]);
+      const PoseAndShape object{graph.T_world_camera[i].inverse() * graph.objects[o].T_world_object,
+                                graph.objects[o].coefficients};
+      if (object.T_camera_object.translation().z() < 0.1) continue;
+      const auto expected = ExpectedBox(*observations.front().view.camera, *graph.objects[o].model, object);
+      if (!expected) continue;
       for (size_t j = 0; j < observations.size(); ++j) {
         if (observations[j].view.model != graph.objects[o].model) continue;
-        const Box& box = observations[j].view.detection.box;
-        // What is seen may be only a part of what is expected, so being inside counts too.
-        const double inside = Intersection(expected, box).area() / std::max(box.area(), 1.0);
-        const double overlap = IntersectionOverUnion(expected, box);
-        if (overlap < options.box_overlap && (inside < 0.7 || overlap < 0.1)) continue;
-        costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - overlap - 0.3 * inside;
+        const auto agreement =
+            BoxAgreement(*expected, observations[j].view.detection.box, options.box_overlap);
+        if (!agreement) continue;
+        costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - *agreement;
       }
     }
     result.push_back(Assign(costs));

@@ -159,11 +159,9 @@ EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const P
   }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
   if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
-  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
-  if (extremes[0].edge < 0) return EstimateStatus::kOffTheBox;
-  const Box seen{extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
-                 extremes[3].pixel - extremes[1].pixel};
-  const double covered = Intersection(seen, view.detection.box).area() / std::max(seen.area(), 1.0);
+  const std::optional<Box> seen = BoxAround(projected);
+  if (!seen) return EstimateStatus::kOffTheBox;
+  const double covered = Intersection(*seen, view.detection.box).area() / std::max(seen->area(), 1.0);
   return covered < 0.5 ? EstimateStatus::kOffTheBox : EstimateStatus::kOk;
 }
 

@@ -72,34 +72,19 @@ PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d&
   return expected;
 }
 
-Box ObjectTracks::ExpectedBox(const Track& track, const Camera& camera,
-                              const Eigen::Isometry3d& T_odom_camera) const {
-  const PoseAndShape expected = Expected(track, T_odom_camera, track.up_odom);
-  ProjectedWireframe projected;
-  const Box image{0, 0, camera.width - 1.0, camera.height - 1.0};
-  ProjectWireframe(camera, track.model->spec, WireframeFromCoefficients(*track.model, expected.coefficients),
-                   expected.T_camera_object, image, {}, projected);
-  const std::array<ExtremePoint, 4> extremes = Extremes(projected);
-  if (extremes[0].edge < 0) return {};
-  return {extremes[0].pixel, extremes[1].pixel, extremes[2].pixel - extremes[0].pixel,
-          extremes[3].pixel - extremes[1].pixel};
-}
-
 std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<ObjectView>& views,
                                          const Eigen::Isometry3d& T_odom_camera) const {
   std::vector<int> result(views.size(), -1);
   std::vector<std::tuple<double, size_t, size_t>> pairs;  // negative score, view, track
   for (size_t t = 0; t < tracks_.size(); ++t) {
     if (timestamp - tracks_[t].last_seen > options_.max_gap || views.empty()) continue;
-    const Box expected = ExpectedBox(tracks_[t], *views.front().camera, T_odom_camera);
+    const auto expected = ExpectedBox(*views.front().camera, *tracks_[t].model,
+                                      Expected(tracks_[t], T_odom_camera, tracks_[t].up_odom));
+    if (!expected) continue;
     for (size_t v = 0; v < views.size(); ++v) {
       if (views[v].model != tracks_[t].model) continue;
-      const Box& seen = views[v].detection.box;
-      // What is seen may be only a part of what is expected, so being inside counts too.
-      const double inside = Intersection(expected, seen).area() / std::max(seen.area(), 1.0);
-      const double overlap = IntersectionOverUnion(expected, seen);
-      if (overlap > 0.25 || (inside > 0.7 && overlap > 0.1))
-        pairs.emplace_back(-overlap - 0.3 * inside, v, t);
+      const auto agreement = BoxAgreement(*expected, views[v].detection.box, 0.25);
+      if (agreement) pairs.emplace_back(-*agreement, v, t);
     }
   }
   std::sort(pairs.begin(), pairs.end());

@@ -90,7 +90,6 @@ class ObjectTracks {
   Track NewTrack(const CategoryModel& model) const;
   PoseAndShape Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
                         const Eigen::Vector3d& up_odom) const;
-  Box ExpectedBox(const Track& track, const Camera& camera, const Eigen::Isometry3d& T_odom_camera) const;
   void Accumulate(Track& track, const ObjectEstimation& estimation, const Eigen::Isometry3d& T_odom_camera);
   void LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
                   const Eigen::Vector3d& ray_odom, double variance_along);

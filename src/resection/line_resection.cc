@@ -73,18 +73,7 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
 // The object's lowest end of an edge touches the floor: -up . P = camera height.
 void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProblem& problem) {
   if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return;
-  const Wireframe wireframe = WireframeFromCoefficients(*view.model, start.coefficients);
-  EdgeEnd lowest;
-  double lowest_y = 1e9;
-  for (int e = 0; e < wireframe.edges(); ++e) {
-    for (int end = 0; end < 2; ++end) {
-      if (const double y = wireframe.End(e, end).y(); y < lowest_y) {
-        lowest_y = y;
-        lowest = {e, end};
-      }
-    }
-  }
-  problem.plane_terms.push_back({PointOnEdge(*view.model, lowest.edge, lowest.end - 0.5), *view.up_camera,
+  problem.plane_terms.push_back({LowestPoint(*view.model, start.coefficients), *view.up_camera,
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 

@@ -180,6 +180,21 @@ ShapePoint PointOnEdge(const CategoryModel& model, int edge, double s) {
   return point;
 }
 
+ShapePoint LowestPoint(const CategoryModel& model, const Eigen::VectorXd& coefficients) {
+  const Wireframe wireframe = WireframeFromCoefficients(model, coefficients);
+  EdgeEnd lowest;
+  double lowest_y = 1e9;
+  for (int edge = 0; edge < wireframe.edges(); ++edge) {
+    for (int end = 0; end < 2; ++end) {
+      if (const double y = wireframe.End(edge, end).y(); y < lowest_y) {
+        lowest_y = y;
+        lowest = {edge, end};
+      }
+    }
+  }
+  return PointOnEdge(model, lowest.edge, lowest.end - 0.5);
+}
+
 bool ResectionProblem::operator()(const double* parameters, double* residuals, double* jacobian) const {
   const State state(*this, parameters);
   Jacobian J(jacobian, jacobian ? NumResiduals() : 0, jacobian ? NumParameters() : 0);

@@ -38,6 +38,9 @@ struct ShapePoint {
 // The point M + s D of an edge, s in [-1/2, 1/2] between the edge's ends.
 ShapePoint PointOnEdge(const CategoryModel& model, int edge, double s);
 
+// The end of an edge that is lowest for these coefficients.
+ShapePoint LowestPoint(const CategoryModel& model, const Eigen::VectorXd& coefficients);
+
 // A point that should be seen on an image line: residual = weight * robust(l . pi(R X + T)).
 struct PointOnLineTerm {
   ShapePoint point;
