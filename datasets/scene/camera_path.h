@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the camera is: paths of a small flying robot at constant height.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+namespace armature {
+
+struct CameraPath {
+  enum class Kind {
+    kLoop,       // elongated: two parallel straights joined by half circles, once around and somewhat further
+    kTurn,       // a full turn in place, without translation
+    kKeyframes,  // smoothly through given poses
+  };
+  struct Keyframe {
+    Eigen::Vector2d position{0, 0};  // x, y of the world, metres
+    double heading_deg = 0;          // of the optical axis, counter-clockwise from the world's x
+  };
+
+  Kind kind = Kind::kLoop;
+  Eigen::Vector2d centre{0, 0};     // of loop or turn; world, metres
+  double height = 1.3;              // above the floor, metres
+  double pitch_deg = 15;            // of the optical axis below the horizon
+  double length = 4, width = 1.5;   // of the loop, end to end along the world's x and y; metres
+  double overlap = 0.1;             // how far the path goes on after one round or turn, share of it
+  double heading_offset_deg = -60;  // of the optical axis against the direction of flight; positive: left
+  double start_deg = 0;             // heading of the turn's first frame
+  bool clockwise = false;
+  std::vector<Keyframe> keyframes;  // of kKeyframes; evenly spaced in time
+  double sway_deg = 1.0;            // of roll and pitch, as hovering makes it
+  double sway = 0.01;               // of the position, metres; none on a turn
+};
+
+// T_world_camera (x right, y down, z forward) of `frames` images, evenly along the path.
+std::vector<Eigen::Isometry3d> CameraPoses(const CameraPath& path, int frames, std::uint64_t seed);
+
+}  // namespace armature

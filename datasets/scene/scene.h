@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene file says (datasets/README.md). World frame: z up, the floor at z = 0, metres.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "datasets/cad/cad_instance.h"
+#include "datasets/render/camera_effects.h"
+#include "datasets/render/renderer.h"
+#include "datasets/scene/camera_path.h"
+#include "datasets/simulation/detection_noise.h"
+#include "datasets/simulation/odometry_noise.h"
+#include "geometry/camera.h"
+
+namespace armature {
+
+struct Room {
+  Eigen::Vector3d size{8, 6, 2.7};  // metres; the room is centred at the world's origin
+  Material floor, walls;
+  double skirting = 0.08;  // height of the skirting boards, metres; 0: none
+  int pictures = 6;        // framed ones on the walls
+  int clutter = 10;        // boxes, cylinders and books on the floor and on tables, where nothing else stands
+};
+
+struct SceneObject {
+  std::string id;
+  CadInstance instance;  // of the collection
+  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();
+};
+
+// Something that is nobody's object: it makes confusing lines.
+struct ClutterPiece {
+  std::string shape;  // box, cylinder, books
+  Eigen::Isometry3d T_world_mesh = Eigen::Isometry3d::Identity();
+  Mesh mesh;
+};
+
+struct Scene {
+  std::string name;   // a plain word that can name a folder
+  std::string about;  // one line
+  std::uint64_t seed = 1;
+  Camera camera;
+  double fps = 10;
+  int frames = 150;  // of the whole path
+  Room room;
+  std::vector<SceneObject> objects;
+  std::vector<ClutterPiece> clutter;
+  std::vector<Lamp> lamps;
+  CameraPath path;
+  CameraEffects effects;
+  OdometryNoise odometry;
+  DetectionNoise detections;
+};
+
+}  // namespace armature
