@@ -10,6 +10,7 @@ struct OdometryNoise {
   double heading_drift_deg = 3;      // about the vertical, at the end; grows evenly
   double translation_noise = 0.01;   // sigma each axis, share of each motion's length
   double rotation_noise_deg = 0.02;  // sigma each axis, each motion
+  bool tells_up = true;              // whether the direction of gravity is known, as a flying robot knows it
 };
 
 }  // namespace armature

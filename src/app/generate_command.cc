@@ -3,31 +3,107 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
-#include "datasets/sample.h"
+#include "app/interrupt.h"
 #include "io/errors.h"
+#include "io/nearest_name.h"
+#include "io/progress.h"
 
 namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kDefaultScenes = {"seq1", "seq2", "seq3"};
+
+// By name.
+std::vector<std::string> ShippedScenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(ARMATURE_SCENES_FOLDER)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<fs::path> ScenesToMake(const GenerateArguments& arguments) {
+  if (!arguments.scenes.empty() && !arguments.only.empty()) {
+    throw InputError("generate: --only chooses among the shipped scenes; leave it out with --scene");
+  }
+  if (!arguments.scenes.empty()) return arguments.scenes;
+  const std::vector<std::string> shipped = ShippedScenes();
+  std::vector<fs::path> files;
+  for (const std::string& name : arguments.only.empty() ? kDefaultScenes : arguments.only) {
+    if (std::find(shipped.begin(), shipped.end(), name) == shipped.end())
+      throw InputError("generate: --only: " + UnknownNameMessage("scene", name, shipped));
+    files.push_back(fs::path(ARMATURE_SCENES_FOLDER) / (name + ".yaml"));
+  }
+  return files;
+}
+
+void Say(const Generated& generated, const std::string& what) {
+  fmt::print("{}: {}{}\n", generated.folder.string(), what, generated.is_new ? "" : " (there already)");
+}
+
+// Shows the progress of one sequence.
+Generated GenerateWithProgress(const fs::path& scene, const std::vector<CadInstance>& collection,
+                          const fs::path& out, const SequenceOptions& options) {
+  std::unique_ptr<Progress> shown;
+  const GenerationProgress progress{[&](const std::string& name, int frames) {
+                                      shown = std::make_unique<Progress>(name + ": pictures", frames);
+                                    },
+                                    [&] {
+                                      ThrowIfInterrupted();
+                                      shown->Step();
+                                    }};
+  return GenerateSequence(scene, collection, out, options, progress);
+}
+
+}  // namespace
 
 int RunGenerate(const GenerateArguments& arguments) {
-  if (!arguments.sample) throw InputError("generate: say what to draw: --sample");
-  WriteSample(arguments.out, {.frames = arguments.frames, .seed = arguments.seed});
-  fmt::print("Sample sequence with ground truth: {}\n", arguments.out.string());
+  const std::vector<fs::path> scenes = ScenesToMake(arguments);
+  const CollectionOptions collection_options;
+  const std::vector<CadInstance> collection = DrawCollection(collection_options);
+  CatchInterrupts();
+  if (!arguments.without_cad) {
+    Say(GenerateCad(arguments.out / "cad", collection_options, collection), "annotated CAD models");
+  }
+  for (const fs::path& scene : scenes) {
+    Say(GenerateWithProgress(scene, collection, arguments.out, arguments.sequence), "sequence with ground truth");
+  }
   return 0;
 }
 
 void AddGenerateCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<GenerateArguments>();
   GenerateArguments& a = *arguments;
-  CLI::App* generate = app.add_subcommand("generate", "Draw the embedded data");
-  generate->add_flag("--sample", a.sample, "the sample: a room with three chairs, a table and a laptop");
-  generate->add_option("--out", a.out, "sequence folder to write")->required()->type_name("DIR");
-  generate->add_option("--frames", a.frames, "only the first N images")
-      ->check(CLI::Range(1, 24))
-      ->type_name("N")
+  CLI::App* generate =
+      app.add_subcommand("generate", "Make the embedded data: annotated CAD models, rendered sequences");
+  generate->add_option("--out", a.out, "folder that gets cad/ and a folder a sequence")
+      ->required()
+      ->type_name("DIR");
+  generate
+      ->add_option("--only", a.only,
+                   fmt::format("shipped scenes: {} (default: {})", fmt::join(ShippedScenes(), ", "),
+                               fmt::join(kDefaultScenes, ", ")))
+      ->type_name("NAME")
+      ->delimiter(',');
+  generate->add_option("--scene", a.scenes, "scene files of your own instead (datasets/README.md)")
+      ->type_name("FILE");
+  generate->add_option("--frames", a.sequence.frames, "only the first N pictures of each path")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  generate
+      ->add_option(
+          "--detection-noise", a.sequence.detection_noise,
+          "factor of everything that detections have wrong: noise, misses, false alarms, turned viewpoints")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("FACTOR")
       ->capture_default_str();
-  generate->add_option("--seed", a.seed, "of the noise")->capture_default_str();
+  generate->add_flag("--without-cad", a.without_cad, "sequences only");
   generate->callback([arguments, &exit_status] { exit_status = RunGenerate(*arguments); });
 }
 

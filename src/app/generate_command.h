@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `armature generate`: draws the embedded data.
+// `armature generate`: makes the embedded data.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
 #include <filesystem>
+#include <string>
+#include <vector>
+
+#include "datasets/generate.h"
 
 namespace armature {
 
 struct GenerateArguments {
-  bool sample = false;
-  std::filesystem::path out;  // sequence folder to write
-  int frames = 24;
-  std::uint64_t seed = 1;
+  std::filesystem::path out;                  // gets cad/ and a folder a sequence
+  std::vector<std::filesystem::path> scenes;  // of the user's; none: the shipped ones
+  std::vector<std::string> only;              // names of shipped scenes; none: kDefaultScenes
+  bool without_cad = false;
+  SequenceOptions sequence;
 };
 
-// Writes the sequence and says where it is. Returns the exit status; throws InputError.
+// Makes what is not there yet and says where everything is. Returns the exit status; throws InputError.
 int RunGenerate(const GenerateArguments& arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunGenerate and stores the exit status.

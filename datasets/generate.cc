@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/generate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "datasets/cad/collection_files.h"
+#include "datasets/generation_stamp.h"
+#include "datasets/random.h"
+#include "datasets/render/camera_effects.h"
+#include "datasets/render/renderer.h"
+#include "datasets/scene/camera_path.h"
+#include "datasets/scene/scene_meshes.h"
+#include "datasets/scene/scene_yaml.h"
+#include "datasets/sequence_tables.h"
+#include "datasets/simulation/detections.h"
+#include "datasets/simulation/odometry.h"
+#include "datasets/simulation/true_edges.h"
+#include "datasets/simulation/visible_objects.h"
+#include "io/image_writer.h"
+#include "io/text.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Streams of random numbers of a scene.
+enum Stream : std::uint64_t { kPath = 1, kOdometry, kEffects, kDetections };
+
+// A scene, ready to be photographed.
+struct Studio {
+  const Scene& scene;
+  Renderer renderer;
+  std::vector<DetectableObject> objects;
+  DetectionNoise noise;
+
+  Studio(const Scene& scene, double detection_noise)
+      : scene(scene),
+        renderer(SceneMeshes(scene), scene.lamps, {}),
+        noise(scene.detections.Times(detection_noise)) {
+    for (const SceneObject& object : scene.objects)
+      objects.push_back({object.id, object.instance.category, object.T_world_object});
+  }
+};
+
+// The sequence with everything that is known before the first picture.
+GeneratedSequence Planned(const Scene& scene, int frames) {
+  GeneratedSequence sequence{scene.name, scene.about, scene.fps, scene.camera, std::nullopt, {}, {}};
+  for (const SceneObject& object : scene.objects) {
+    sequence.objects.push_back({object.id, object.instance.category, "armature:" + object.instance.id,
+                                object.T_world_object, object.instance.size});
+  }
+  const auto T_world_camera = CameraPoses(scene.path, scene.frames, MixedSeed(scene.seed, kPath));
+  const auto T_odom_camera =
+      SimulateOdometry(T_world_camera, scene.odometry, MixedSeed(scene.seed, kOdometry));
+  if (scene.odometry.tells_up)
+    sequence.up_odom = T_world_camera.front().linear().transpose() * Eigen::Vector3d::UnitZ();
+  for (size_t i = 0; i < static_cast<size_t>(frames); ++i) {
+    sequence.frames.push_back(
+        {static_cast<double>(i) / scene.fps, T_world_camera[i], T_odom_camera[i], {}, {}});
+  }
+  return sequence;
+}
+
+// Takes the picture and notes what is in it.
+cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
+  const Scene& scene = studio.scene;
+  const RayScene& rays = studio.renderer.rays();
+  const Picture picture = studio.renderer.Render(scene.camera, frame->T_world_camera);
+  const auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
+  const std::uint64_t seed = MixedSeed(MixedSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
+  frame->detections =
+      SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera, studio.noise, seed);
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const SceneObject& object = scene.objects[i];
+    frame->edges.push_back(TrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
+                                     object.T_world_object, scene.camera, frame->T_world_camera));
+  }
+  return Develop(picture.radiance, scene.effects, MixedSeed(scene.seed, kEffects), index);
+}
+
+// All pictures, by all threads; the first exception ends the work.
+void PhotographAll(const Studio& studio, const fs::path& folder, const GenerationProgress& progress,
+                   GeneratedSequence* sequence) {
+  std::exception_ptr failure;
+  const int count = static_cast<int>(sequence->frames.size());
+#pragma omp parallel for schedule(dynamic)
+  for (int i = 0; i < count; ++i) {
+    bool is_over = false;
+#pragma omp critical(generate)
+    is_over = failure != nullptr;
+    if (is_over) continue;
+    try {
+      const cv::Mat3b image = Photograph(studio, i, &sequence->frames[static_cast<size_t>(i)]);
+      WritePicture(folder / ImageName(i), image);
+#pragma omp critical(generate)
+      progress.on_frame();
+    } catch (...) {
+#pragma omp critical(generate)
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+Generated GenerateCad(const fs::path& folder, const CollectionOptions& options,
+                 const std::vector<CadInstance>& collection) {
+  const std::string stamp = GenerationStamp(
+      fmt::format("cad {} {} {} {}", options.chairs, options.tables, options.laptops, options.seed));
+  if (HasStamp(folder, stamp)) return {folder, false};
+  OutputFolder output(folder, GeneratedFolders());
+  WriteCollection(collection, output.partial());
+  WriteStamp(output.partial(), stamp);
+  output.Publish();
+  return {folder, true};
+}
+
+Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInstance>& collection,
+                      const fs::path& out, const SequenceOptions& options,
+                      const GenerationProgress& progress) {
+  const Scene scene = ReadScene(scene_file, collection);
+  const int frames = options.frames > 0 ? std::min(options.frames, scene.frames) : scene.frames;
+  const std::string stamp = GenerationStamp(
+      fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file)));
+  const fs::path folder = out / scene.name;
+  if (HasStamp(folder, stamp)) return {folder, false};
+
+  OutputFolder output(folder, GeneratedFolders());
+  progress.on_start(scene.name, frames);
+  GeneratedSequence sequence = Planned(scene, frames);
+  const Studio studio(scene, options.detection_noise);
+  PhotographAll(studio, output.partial(), progress, &sequence);
+  WriteSequenceTables(output.partial(), sequence);
+  fs::copy_file(scene_file, output.partial() / "scene.yaml");
+  WriteStamp(output.partial(), stamp);
+  output.Publish();
+  return {folder, true};
+}
+
+}  // namespace armature

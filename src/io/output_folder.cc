@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/output_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>  // NOLINT: renameat2 is Linux
+
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Links and a trailing '/' resolved, so that the folder itself can be renamed.
+fs::path Resolved(const fs::path& folder) {
+  if (folder.empty()) throw InputError("the output folder has no name; name one with --out");
+  fs::path resolved = fs::weakly_canonical(fs::absolute(folder)).lexically_normal();
+  if (!resolved.has_filename()) resolved = resolved.parent_path();
+  if (!resolved.has_filename())
+    throw InputError(fmt::format("{}: is no folder to write to", folder.string()));
+  return resolved;
+}
+
+fs::path CreatePartial(const fs::path& folder) {
+  for (int number = 0;; ++number) {
+    fs::path partial = folder;
+    partial += fmt::format(".partial-{}", number);
+    if (fs::create_directory(partial)) return partial;  // false: another program has it
+  }
+}
+
+// Both folders exist and change places, at once where the file system can.
+void Exchange(const fs::path& a, const fs::path& b) {
+  if (renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0) return;
+  fs::path aside = b;
+  aside += "-old";
+  fs::rename(b, aside);
+  fs::rename(a, b);
+  fs::rename(aside, a);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const fs::path& folder, Replaceable replaceable)
+    : replaceable_(std::move(replaceable)) {
+  try {
+    folder_ = Resolved(folder);
+    CheckReplaceable();
+    fs::create_directories(folder_.parent_path());
+    partial_ = CreatePartial(folder_);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("{}: cannot be created ({}); choose a folder that may be written",
+                                 folder.string(), error.code().message()));
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!partial_.empty()) fs::remove_all(partial_, ignored);
+}
+
+void OutputFolder::CheckReplaceable() const {
+  if (!fs::exists(fs::symlink_status(folder_))) return;
+  if (fs::is_directory(folder_) && (fs::is_empty(folder_) || replaceable_.is(folder_))) return;
+  throw InputError(fmt::format("{}: exists and is not {}; choose another folder or move it away",
+                               folder_.string(), replaceable_.what));
+}
+
+void OutputFolder::Publish() {
+  CheckReplaceable();
+  if (fs::exists(folder_)) {
+    Exchange(partial_, folder_);
+    std::error_code ignored;
+    fs::remove_all(partial_, ignored);  // now the older one
+  } else {
+    fs::rename(partial_, folder_);
+  }
+  partial_.clear();
+}
+
+}  // namespace armature
