@@ -1,19 +1,26 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Set-up, release build and the main job: the built-in sample is drawn, run and compared with its truth.
+# Set-up, release build and the main job: the embedded data is made (once), category models are learnt from its CAD
+# models, its three sequences are run and compared with their truth.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 armature() { build/release/armature "$@"; }
 
+data=datasets/generated
+out=runs/generated
+
 main_job() {
-  rm -rf runs/sample/sequence
-  armature generate --sample --out runs/sample/sequence
-  armature run runs/sample/sequence --out runs/sample/run --overlays
+  armature generate --out "$data"
+  for category in chair table laptop; do
+    armature learn --spec "configs/categories/specs/$category.yaml" --annotations "$data/cad/${category}_edges.csv" \
+      --format edges --metric --out "$out/categories/$category.yaml"
+  done
+  armature run "$data/seq1" "$data/seq2" "$data/seq3" --out "$out/run" --categories "$out/categories"
   echo
-  armature eval runs/sample/run
+  armature eval "$out/run" --categories "$out/categories" --tables edges,trajectory,objects,paper
   echo
-  echo "The sample's sequence is in runs/sample/sequence, its results in runs/sample/run (pictures: overlays)."
+  echo "Sequences: $data (contact_sheet.jpg shows some of their pictures); results, a folder a sequence: $out/run"
 }
 
 scripts/setup.sh

@@ -30,9 +30,9 @@ std::string BoxArgument(const Detection& detection) {
 
 TEST(AppPhoto, PlacesTheFurnitureOfOnePicture) {
   const TempFolder folder;
-  RunOk({"generate", "--sample", "--frames", "1", "--out", folder / "sequence"});
-  const Sequence sequence = LoadSequence(folder / "sequence", {"chair", "table", "laptop"});
-  const GroundTruth truth = LoadGroundTruth(folder / "sequence");
+  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "1", "--out", folder.path()});
+  const Sequence sequence = LoadSequence(folder / "sample", {"chair", "table", "laptop"});
+  const GroundTruth truth = LoadGroundTruth(folder / "sample");
   const Eigen::Vector3d up =
       truth.T_world_camera.front().pose.linear().transpose() * Eigen::Vector3d::UnitZ();
   std::vector<std::string> arguments = {"photo",    sequence.images.front().file,

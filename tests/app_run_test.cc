@@ -72,8 +72,8 @@ std::map<std::string, Errors> ErrorsOf(const std::filesystem::path& run,
 
 TEST(AppRun, FindsTheFurnitureOfTheSample) {
   const TempFolder folder;
-  const std::string sequence = folder / "sequence", run = folder / "run";
-  RunOk({"generate", "--sample", "--out", sequence});
+  const std::string sequence = folder / "sample", run = folder / "run";
+  RunOk({"generate", "--only", "sample", "--without-cad", "--out", folder.path()});
   const ProgramResult result = RunOk({"run", sequence, "--out", run});
   EXPECT_EQ(AllFiles(run), kRunFiles);
   EXPECT_NE(result.out.find(run), std::string::npos) << result.out;
@@ -95,8 +95,8 @@ TEST(AppRun, FindsTheFurnitureOfTheSample) {
 
 TEST(AppRun, SameInputGivesTheSameBytes) {
   const TempFolder folder;
-  const std::string sequence = folder / "sequence";
-  RunOk({"generate", "--sample", "--frames", "4", "--out", sequence});
+  const std::string sequence = folder / "sample";
+  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "4", "--out", folder.path()});
   RunOk({"run", sequence, "--out", folder / "a"});
   RunOk({"run", sequence, "--out", folder / "b"});
   RunOk({"run", sequence, "--out", folder / "b"});  // a finished run may be replaced
@@ -107,8 +107,8 @@ TEST(AppRun, SameInputGivesTheSameBytes) {
 
 TEST(AppRun, DrawsOverlaysOfTheFirstFrames) {
   const TempFolder folder;
-  RunOk({"generate", "--sample", "--frames", "4", "--out", folder / "sequence"});
-  RunOk({"run", folder / "sequence", "--out", folder / "run", "--frames", "2", "--overlays"});
+  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "4", "--out", folder.path()});
+  RunOk({"run", folder / "sample", "--out", folder / "run", "--frames", "2", "--overlays"});
   Files expected = kRunFiles;
   expected.insert({"overlays", "overlays/000000.jpg", "overlays/000001.jpg"});
   EXPECT_EQ(AllFiles(folder / "run"), expected);

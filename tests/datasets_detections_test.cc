@@ -39,8 +39,8 @@ VisibleObject Visible(int object, double share) {
   return {object, {270, 190, 99, 99}, share};  // around the middle of the picture
 }
 
-std::vector<SimulatedDetection> Detected(const std::vector<VisibleObject>& visible, const DetectionNoise& noise,
-                                         std::uint64_t seed = 1) {
+std::vector<SimulatedDetection> Detected(const std::vector<VisibleObject>& visible,
+                                         const DetectionNoise& noise, std::uint64_t seed = 1) {
   return SimulateDetections(visible, TwoObjects(), kCamera, kCameraPose, noise, seed);
 }
 
@@ -130,7 +130,8 @@ TEST(SimulatedDetections, AreWrongAsOftenAndAsMuchAsAsked) {
 }
 
 TEST(SimulatedDetections, NoiseIsMultiplied) {
-  const DetectionNoise noise = DetectionNoise{.box = 0.02, .missed = 0.6, .azimuth_deg = 10, .turned = 0.04}.Times(2);
+  const DetectionNoise noise =
+      DetectionNoise{.box = 0.02, .missed = 0.6, .azimuth_deg = 10, .turned = 0.04}.Times(2);
   EXPECT_EQ(noise.box, 0.04);
   EXPECT_EQ(noise.missed, 1);
   EXPECT_EQ(noise.azimuth_deg, 20);

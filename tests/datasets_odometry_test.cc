@@ -11,11 +11,8 @@
 namespace armature {
 namespace {
 
-constexpr OdometryNoise kExact{.scale = 1,
-                               .scale_drift = 0,
-                               .heading_drift_deg = 0,
-                               .translation_noise = 0,
-                               .rotation_noise_deg = 0};
+constexpr OdometryNoise kExact{
+    .scale = 1, .scale_drift = 0, .heading_drift_deg = 0, .translation_noise = 0, .rotation_noise_deg = 0};
 
 // A level camera at 1.4 m that looks along the world's x and flies along y, a metre a frame.
 std::vector<Eigen::Isometry3d> StraightFlight(int frames) {

@@ -7,7 +7,10 @@
 #include <memory>
 
 #include "app/interrupt.h"
+#include "datasets/contact_sheet.h"
+#include "datasets/scene/scene_yaml.h"
 #include "io/errors.h"
+#include "io/image_writer.h"
 #include "io/nearest_name.h"
 #include "io/progress.h"
 
@@ -49,7 +52,7 @@ void Say(const Generated& generated, const std::string& what) {
 
 // Shows the progress of one sequence.
 Generated GenerateWithProgress(const fs::path& scene, const std::vector<CadInstance>& collection,
-                          const fs::path& out, const SequenceOptions& options) {
+                               const fs::path& out, const SequenceOptions& options) {
   std::unique_ptr<Progress> shown;
   const GenerationProgress progress{[&](const std::string& name, int frames) {
                                       shown = std::make_unique<Progress>(name + ": pictures", frames);
@@ -61,19 +64,34 @@ Generated GenerateWithProgress(const fs::path& scene, const std::vector<CadInsta
   return GenerateSequence(scene, collection, out, options, progress);
 }
 
+// Pictures of all sequences, unless nothing has changed.
+void ShowOnOneSheet(const std::vector<Generated>& sequences, const fs::path& file) {
+  const bool is_new =
+      std::any_of(sequences.begin(), sequences.end(), [](const Generated& g) { return g.is_new; });
+  if (!is_new && fs::exists(file)) return;
+  std::vector<fs::path> folders;
+  for (const Generated& sequence : sequences) folders.push_back(sequence.folder);
+  WritePicture(file, ContactSheet(folders));
+  fmt::print("{}: some of their pictures\n", file.string());
+}
+
 }  // namespace
 
 int RunGenerate(const GenerateArguments& arguments) {
   const std::vector<fs::path> scenes = ScenesToMake(arguments);
   const CollectionOptions collection_options;
   const std::vector<CadInstance> collection = DrawCollection(collection_options);
+  for (const fs::path& scene : scenes) ReadScene(scene, collection);  // all have to be right before anything is written
   CatchInterrupts();
   if (!arguments.without_cad) {
     Say(GenerateCad(arguments.out / "cad", collection_options, collection), "annotated CAD models");
   }
+  std::vector<Generated> sequences;
   for (const fs::path& scene : scenes) {
-    Say(GenerateWithProgress(scene, collection, arguments.out, arguments.sequence), "sequence with ground truth");
+    sequences.push_back(GenerateWithProgress(scene, collection, arguments.out, arguments.sequence));
+    Say(sequences.back(), "sequence with ground truth");
   }
+  ShowOnOneSheet(sequences, arguments.out / "contact_sheet.jpg");
   return 0;
 }
 
