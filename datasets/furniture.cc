@@ -23,7 +23,7 @@ Furniture Centred(std::string category, std::string instance, std::vector<Cuboid
 }
 
 // The parts of the back in a frame that is turned about the rear of the seat's upper side.
-std::vector<Cuboid> ChairBack(const ChairParameters& p, const Colour& wood) {
+std::vector<Cuboid> ChairBack(const SampleChairParameters& p, const Colour& wood) {
   const double recline = p.recline_deg * kDegree;
   const double length = (p.height - p.seat_height) / std::cos(recline);
   const double inner = p.width - 2 * p.leg;
@@ -47,7 +47,7 @@ std::vector<Cuboid> ChairBack(const ChairParameters& p, const Colour& wood) {
 
 }  // namespace
 
-Furniture SolidChair(const ChairParameters& p, const Colour& wood, const Colour& seat,
+Furniture SolidChair(const SampleChairParameters& p, const Colour& wood, const Colour& seat,
                      const std::string& instance) {
   std::vector<Cuboid> parts = ChairBack(p, wood);
   const double leg_height = p.seat_height - p.seat_thickness;

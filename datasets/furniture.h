@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "datasets/families.h"
+#include "datasets/cad/laptop.h"
+#include "datasets/cad/table.h"
 #include "datasets/solids.h"
 
 namespace armature {
@@ -19,7 +20,7 @@ struct Furniture {
 };
 
 // Four legs, a seat, a reclined back with a top rail and upright slats.
-struct ChairParameters {
+struct SampleChairParameters {
   double width = 0.44;        // along x
   double depth = 0.43;        // of the seat along z
   double seat_height = 0.45;  // of the seat's upper side
@@ -31,7 +32,7 @@ struct ChairParameters {
   int slats = 3;
 };
 
-Furniture SolidChair(const ChairParameters& parameters, const Colour& wood, const Colour& seat,
+Furniture SolidChair(const SampleChairParameters& parameters, const Colour& wood, const Colour& seat,
                      const std::string& instance);
 
 // Top, four legs, an apron between them.

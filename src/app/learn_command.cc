@@ -70,7 +70,7 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
       ->add_option("--format", a.format,
                    fmt::format("format of the annotations: {}", fmt::join(AnnotationFormats(), ", ")))
       ->capture_default_str();
-  learn->add_option("--family", a.family, "learn from our own family instead: table or laptop");
+  learn->add_option("--family", a.family, "learn from our own family instead: chair, table or laptop");
   learn->add_option("--count", a.count, "models drawn from the family")->capture_default_str();
   learn->add_option("--seed", a.seed, "seed of the family")->capture_default_str();
   learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)");

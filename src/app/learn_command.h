@@ -13,7 +13,7 @@ struct LearnArguments {
   std::filesystem::path spec;         // category specification
   std::filesystem::path annotations;  // annotated models, or
   std::string format = "edges";       // their format
-  std::string family;                 // table or laptop
+  std::string family;                 // chair, table or laptop
   int count = 2000;                   // models drawn from the family
   std::uint64_t seed = 1;             // of the family
   int modes = 0;                      // 0: as the specification says

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include "category/normalise.h"
-#include "datasets/families.h"
+#include "datasets/cad/cad_instance.h"
+#include "datasets/cad/chair.h"
+#include "datasets/cad/laptop.h"
+#include "datasets/cad/table.h"
 #include "io/annotations.h"
 #include "io/errors.h"
 
@@ -16,19 +19,19 @@ void AddIfPlausible(const TrainingSpec& spec, const Wireframe& wireframe, Traini
   if (spec.plausible.Contains(BoundingBoxSize(wireframe))) models.wireframes.push_back(wireframe);
 }
 
-std::vector<Wireframe> FamilyWireframes(const std::string& family, int count, std::uint64_t seed) {
+// Members of a family, centred as annotated models are.
+template <typename Parameters>
+std::vector<Wireframe> Centred(const std::vector<Parameters>& members, Wireframe (*make)(const Parameters&)) {
   std::vector<Wireframe> wireframes;
-  if (family == "table") {
-    for (const TableParameters& table : SampleTableFamily(count, seed))
-      wireframes.push_back(TableWireframe(table));
-  } else if (family == "laptop") {
-    for (const LaptopParameters& laptop : SampleLaptopFamily(count, seed)) {
-      wireframes.push_back(LaptopWireframe(laptop));
-    }
-  } else {
-    throw InputError(fmt::format("unknown family '{}'; families: table, laptop", family));
-  }
+  for (const Parameters& member : members) wireframes.push_back(Centred(make(member)));
   return wireframes;
+}
+
+std::vector<Wireframe> FamilyWireframes(const std::string& family, int count, std::uint64_t seed) {
+  if (family == "chair") return Centred(SampleChairFamily(count, seed), ChairWireframe);
+  if (family == "table") return Centred(SampleTableFamily(count, seed), TableWireframe);
+  if (family == "laptop") return Centred(SampleLaptopFamily(count, seed), LaptopWireframe);
+  throw InputError(fmt::format("unknown family '{}'; families: chair, table, laptop", family));
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const std::file
 TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const std::string& family, int count,
                                     std::uint64_t seed) {
   const std::vector<Wireframe> wireframes = FamilyWireframes(family, count, seed);
-  const std::vector<std::string> names = family == "table" ? TableEdgeNames() : LaptopEdgeNames();
+  const std::vector<std::string> names = EdgeNames(family);
   if (spec.category.edge_names != names) {
     throw InputError(fmt::format(
         "family {} has the edges [{}], but category {} has [{}]; use the family's own "
@@ -58,8 +61,8 @@ TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const std::string&
         family, fmt::join(names, ", "), spec.category.name, fmt::join(spec.category.edge_names, ", ")));
   }
   TrainingModels models;
-  models.source = fmt::format(
-      "our own family of {}s (datasets/families.cc, BSD-3-Clause), {} members, seed {}", family, count, seed);
+  models.source = fmt::format("our own family of {}s (datasets/cad, BSD-3-Clause), {} members, seed {}",
+                              family, count, seed);
   for (const Wireframe& wireframe : wireframes) AddIfPlausible(spec, wireframe, models);
   return models;
 }
