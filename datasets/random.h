@@ -35,4 +35,12 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+// The seed of a second stream that has nothing to do with the first; another for each `stream`.
+inline std::uint64_t StreamSeed(std::uint64_t seed, std::uint64_t stream) {
+  std::uint64_t mixed = seed + (stream + 1) * 0x9E3779B97F4A7C15;  // splitmix64 (Steele et al. 2014)
+  mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
+  mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
+  return mixed ^ (mixed >> 31);
+}
+
 }  // namespace armature

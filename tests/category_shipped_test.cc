@@ -120,14 +120,14 @@ void ExpectReproduced(const TrainingSpec& spec, const TrainingModels& models) {
 TEST(ShippedModels, TablesAndLaptopsAreLearntFromTheirFamilies) {
   for (const char* name : {"table", "laptop"}) {
     const TrainingSpec spec = LoadTrainingSpec(CategoryFolder() / "specs" / (std::string(name) + ".yaml"));
-    ExpectReproduced(spec, FamilyTrainingModels(spec, name, 2000, 1));
+    ExpectReproduced(spec, FamilyTrainingModels(spec, {name, 2000, 1}));
   }
 }
 
 TEST(ShippedModels, ChairIsLearntFromTheAnnotatedChairs) {
   ARMATURE_SHARED_DATA_OR_SKIP(table, "cad/keypointnet_chair_kp10.csv");
   const TrainingSpec spec = LoadTrainingSpec(CategoryFolder() / "specs" / "chair.yaml");
-  ExpectReproduced(spec, AnnotatedTrainingModels(spec, table, "keypointnet_chair"));
+  ExpectReproduced(spec, AnnotatedTrainingModels(spec, {table, "keypointnet_chair"}));
 }
 
 // Share of variance in the first seven modes of all models as they are annotated, in their own unit.

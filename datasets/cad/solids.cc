@@ -101,4 +101,19 @@ Part Cylinder(const Vector3d& from, const Vector3d& to, double radius_from, doub
                frame, material);
 }
 
+Part Pole(const Vector3d& low, const Vector3d& high, double radius_low, double radius_high, int sides,
+          const Material& material) {
+  Eigen::Matrix3d axes;  // circles in the plane of z and x
+  axes << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
+  return Prism(Circle(low, axes, radius_low, sides), Circle(high, axes, radius_high, sides),
+               FrameAlong(0.5 * (low + high), high - low), material);
+}
+
+Part Slab(const std::array<Vector3d, 4>& lower, const std::array<Vector3d, 4>& upper,
+          const Material& material) {
+  Eigen::Isometry3d frame = FrameAlong(Vector3d::Zero(), upper[1] - upper[0]);
+  frame.translation() = 0.25 * (upper[0] + upper[1] + upper[2] + upper[3]);
+  return Prism(Ring(lower.begin(), lower.end()), Ring(upper.begin(), upper.end()), frame, material);
+}
+
 }  // namespace armature

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "datasets/cad/mesh.h"
 
@@ -28,5 +29,14 @@ Part Beam(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int axis, cons
 // axis.
 Part Cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_from, double radius_to,
               int sides, const Material& material);
+
+// The same, possibly inclined, with ends in planes of constant y: a round leg that stands flat on the floor.
+Part Pole(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double radius_low, double radius_high,
+          int sides, const Material& material);
+
+// Between two flat, convex outlines, one above the other, whose sides are parallel; corners counter-clockwise
+// seen from above. Grain runs along their first side.
+Part Slab(const std::array<Eigen::Vector3d, 4>& lower, const std::array<Eigen::Vector3d, 4>& upper,
+          const Material& material);
 
 }  // namespace armature

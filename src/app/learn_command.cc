@@ -18,12 +18,22 @@ namespace {
 
 const std::vector<int> kHeldOutModes = {3, 5, 7, 10, 15};
 
+bool IsComparing(const LearnArguments& arguments) {
+  return !arguments.compare.file.empty() || !arguments.compare_family.empty();
+}
+
 void CheckArguments(const LearnArguments& arguments) {
-  if (arguments.annotations.empty() == arguments.family.empty()) {
+  if (arguments.annotations.file.empty() == arguments.family.empty()) {
     throw InputError("learn: give either --annotations FILE or --family NAME");
   }
-  if (arguments.out.empty() && arguments.held_out == 0) {
-    throw InputError("learn: nothing to do; give --out FILE, --held-out N, or both");
+  if (arguments.annotations.metric && arguments.annotations.file.empty()) {
+    throw InputError("learn: --metric is about --annotations; a family is metric already");
+  }
+  if (!arguments.compare.file.empty() && !arguments.compare_family.empty()) {
+    throw InputError("learn: give either --compare FILE or --compare-family NAME");
+  }
+  if (arguments.out.empty() && arguments.held_out == 0 && !IsComparing(arguments)) {
+    throw InputError("learn: nothing to do; give --out FILE, --held-out N or --compare FILE");
   }
   if (arguments.count < 2)
     throw InputError(fmt::format("learn: --count {}: at least 2 are needed", arguments.count));
@@ -32,16 +42,31 @@ void CheckArguments(const LearnArguments& arguments) {
   }
 }
 
+TrainingModels Training(const TrainingSpec& spec, const LearnArguments& arguments) {
+  if (arguments.family.empty()) return AnnotatedTrainingModels(spec, arguments.annotations);
+  return FamilyTrainingModels(spec, {arguments.family, arguments.count, arguments.seed});
+}
+
+// The other set; a family is scaled as the models are that it is compared with.
+TrainingModels Others(const TrainingSpec& spec, const LearnArguments& arguments) {
+  if (arguments.compare_family.empty()) return AnnotatedTrainingModels(spec, arguments.compare);
+  const bool metric = !arguments.family.empty() || arguments.annotations.metric;
+  return FamilyTrainingModels(spec, {arguments.compare_family, arguments.count, arguments.seed, metric});
+}
+
+ComparisonReport Compared(const TrainingSpec& spec, const CategoryModel& model,
+                          const std::vector<Wireframe>& own, const TrainingModels& others) {
+  return {StatisticsOf(model, spec, own), StatisticsOf(model, spec, others.wireframes), others.source,
+          others.read};
+}
+
 }  // namespace
 
 int RunLearn(const LearnArguments& arguments) {
   CheckArguments(arguments);
   TrainingSpec spec = LoadTrainingSpec(arguments.spec);
   if (arguments.modes > 0) spec.modes = arguments.modes;
-  const TrainingModels models =
-      arguments.family.empty()
-          ? AnnotatedTrainingModels(spec, arguments.annotations, arguments.format)
-          : FamilyTrainingModels(spec, arguments.family, arguments.count, arguments.seed);
+  const TrainingModels models = Training(spec, arguments);
   const std::string source = arguments.source.empty() ? models.source : arguments.source;
 
   LearnReport report;
@@ -51,6 +76,10 @@ int RunLearn(const LearnArguments& arguments) {
     report.held_out_every = arguments.held_out;
     report.held_out = HeldOutErrors(spec, models.wireframes, arguments.held_out, kHeldOutModes);
   }
+  if (IsComparing(arguments)) {
+    report.comparison = Compared(spec, report.model, models.wireframes, Others(spec, arguments));
+  }
+
   if (!arguments.out.empty()) {
     WriteCategory(report.model, arguments.out);
     report.out = arguments.out.string();
@@ -65,17 +94,25 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
   CLI::App* learn =
       app.add_subcommand("learn", "Learn a category model from annotated CAD models or a family");
   learn->add_option("--spec", a.spec, "category specification (configs/categories/specs)")->required();
-  learn->add_option("--annotations", a.annotations, "table of annotated models");
+  learn->add_option("--annotations", a.annotations.file, "table of annotated models");
   learn
-      ->add_option("--format", a.format,
+      ->add_option("--format", a.annotations.format,
                    fmt::format("format of the annotations: {}", fmt::join(AnnotationFormats(), ", ")))
       ->capture_default_str();
-  learn->add_option("--family", a.family, "learn from our own family instead: table or laptop");
+  learn->add_flag("--metric", a.annotations.metric,
+                  "the annotations are in metres: keep their sizes instead of scaling each model to the "
+                  "category's reference");
+  learn->add_option("--family", a.family, "learn from our own family instead: chair, table or laptop");
   learn->add_option("--count", a.count, "models drawn from the family")->capture_default_str();
   learn->add_option("--seed", a.seed, "seed of the family")->capture_default_str();
   learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)");
   learn->add_option("--held-out", a.held_out,
                     "also leave out every N-th model and report how well it is reconstructed");
+  learn->add_option("--compare", a.compare.file,
+                    "also show another table of annotated models, scaled to the category's reference, in the "
+                    "learnt modes");
+  learn->add_option("--compare-format", a.compare.format, "its format")->capture_default_str();
+  learn->add_option("--compare-family", a.compare_family, "the same with a family of ours (--count, --seed)");
   learn->add_option("--source", a.source, "what the models are and their licence, written into the model");
   learn->add_option("--out", a.out, "model file to write");
   learn->add_flag("--json", a.json, "print JSON instead of tables");

@@ -7,17 +7,20 @@
 #include <filesystem>
 #include <string>
 
+#include "app/training_models.h"
+
 namespace armature {
 
 struct LearnArguments {
-  std::filesystem::path spec;         // category specification
-  std::filesystem::path annotations;  // annotated models, or
-  std::string format = "edges";       // their format
-  std::string family;                 // table or laptop
-  int count = 2000;                   // models drawn from the family
-  std::uint64_t seed = 1;             // of the family
-  int modes = 0;                      // 0: as the specification says
-  int held_out = 0;                   // 0: no held-out check, otherwise every n-th model is left out
+  std::filesystem::path spec;  // category specification
+  AnnotatedFile annotations;   // annotated models, or
+  std::string family;          // chair, table or laptop
+  int count = 2000;            // models drawn from the family
+  std::uint64_t seed = 1;      // of the family
+  int modes = 0;               // 0: as the specification says
+  int held_out = 0;            // 0: no held-out check, otherwise every n-th model is left out
+  AnnotatedFile compare;       // another set, seen in the learnt modes
+  std::string compare_family;  // the same, of a family
   std::string source;  // what the models are and their licence, written to the model; empty: from above
   std::filesystem::path out;  // model file to write; empty: none
   bool json = false;

@@ -37,6 +37,38 @@ std::string HeldOutText(const LearnReport& report) {
   return text + "Mean error of an edge over all edges and models held out, nearest shape of the model.\n";
 }
 
+std::string ErrorText(const std::string& set, const ReconstructionError& error) {
+  return fmt::format("{:>9} {:>7} {:>14.4f} {:>16.2f}\n", set, error.models, error.midpoint,
+                     error.direction / kDegree);
+}
+
+std::string ComparisonText(const LearnReport& report) {
+  if (!report.comparison) return "";
+  const auto& [own, other, source, read] = *report.comparison;
+  std::string text =
+      fmt::format("\nCompared with {} plausible of {} models: {}.\n", other.error.models, read, source);
+  text += fmt::format("{:>6} {:>10} {:>10} {:>12} {:>12}\n", "mode", "own mean", "own std", "others mean",
+                      "others std");
+  for (int i = 0; i < report.model.modes(); ++i) {
+    text += fmt::format("{:>6} {:>10.2f} {:>10.2f} {:>12.2f} {:>12.2f}\n", i + 1, own.coefficients.mean[i],
+                        own.coefficients.deviation[i], other.coefficients.mean[i],
+                        other.coefficients.deviation[i]);
+  }
+  text += "Coefficients of the models in the learnt modes, in the modes' standard deviations.\n\n";
+  text += fmt::format("{:>9} {:>7} {:>14} {:>16}\n", "set", "models", "midpoint [m]", "direction [deg]");
+  text += ErrorText("own", own.error) + ErrorText("others", other.error);
+  return text + "Mean error of an edge, nearest shape of the model.\n";
+}
+
+nlohmann::ordered_json SetJson(const SetStatistics& set) {
+  const auto& [mean, deviation] = set.coefficients;
+  return {{"models", set.error.models},
+          {"mean", std::vector<double>(mean.begin(), mean.end())},
+          {"deviation", std::vector<double>(deviation.begin(), deviation.end())},
+          {"midpoint_m", set.error.midpoint},
+          {"direction_deg", set.error.direction / kDegree}};
+}
+
 }  // namespace
 
 std::string ReportText(const LearnReport& report) {
@@ -44,7 +76,7 @@ std::string ReportText(const LearnReport& report) {
   std::string text = fmt::format(
       "{}: learnt from {} plausible of {} models, {} edges, {} representative models\n\n", model.spec.name,
       model.training_models, report.models_read, model.spec.edges(), model.dictionary.size());
-  text += VarianceText(model) + HeldOutText(report);
+  text += VarianceText(model) + HeldOutText(report) + ComparisonText(report);
   if (!report.out.empty()) text += fmt::format("\nCategory model: {}\n", report.out);
   return text;
 }
@@ -68,6 +100,12 @@ std::string ReportJson(const LearnReport& report) {
                                 {"models", row.error.models},
                                 {"midpoint_m", row.error.midpoint},
                                 {"direction_deg", row.error.direction / kDegree}});
+  }
+  if (report.comparison) {
+    json["comparison"] = {{"with", report.comparison->other_source},
+                          {"models_read", report.comparison->other_read},
+                          {"own", SetJson(report.comparison->own)},
+                          {"others", SetJson(report.comparison->other)}};
   }
   if (!report.out.empty()) json["out"] = report.out;
   return json.dump(2) + "\n";

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include "category/normalise.h"
-#include "datasets/families.h"
+#include "datasets/cad/cad_instance.h"
+#include "datasets/cad/chair.h"
+#include "datasets/cad/laptop.h"
+#include "datasets/cad/table.h"
 #include "io/annotations.h"
 #include "io/errors.h"
 
@@ -16,51 +19,60 @@ void AddIfPlausible(const TrainingSpec& spec, const Wireframe& wireframe, Traini
   if (spec.plausible.Contains(BoundingBoxSize(wireframe))) models.wireframes.push_back(wireframe);
 }
 
-std::vector<Wireframe> FamilyWireframes(const std::string& family, int count, std::uint64_t seed) {
+template <typename Parameters>
+std::vector<Wireframe> Made(const std::vector<Parameters>& members, Wireframe (*make)(const Parameters&)) {
   std::vector<Wireframe> wireframes;
-  if (family == "table") {
-    for (const TableParameters& table : SampleTableFamily(count, seed))
-      wireframes.push_back(TableWireframe(table));
-  } else if (family == "laptop") {
-    for (const LaptopParameters& laptop : SampleLaptopFamily(count, seed)) {
-      wireframes.push_back(LaptopWireframe(laptop));
-    }
-  } else {
-    throw InputError(fmt::format("unknown family '{}'; families: table, laptop", family));
-  }
+  for (const Parameters& member : members) wireframes.push_back(make(member));
   return wireframes;
+}
+
+std::vector<Wireframe> FamilyWireframes(const FamilySample& sample) {
+  const auto& [family, count, seed, metric] = sample;
+  if (family == "chair") return Made(SampleChairFamily(count, seed), ChairWireframe);
+  if (family == "table") return Made(SampleTableFamily(count, seed), TableWireframe);
+  if (family == "laptop") return Made(SampleLaptopFamily(count, seed), LaptopWireframe);
+  throw InputError(fmt::format("unknown family '{}'; families: chair, table, laptop", family));
+}
+
+// In metres and centred.
+Wireframe InMetres(const TrainingSpec& spec, const Wireframe& wireframe, bool metric) {
+  return metric ? Centred(wireframe) : Normalised(spec.category.reference, wireframe);
 }
 
 }  // namespace
 
-TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const std::filesystem::path& annotations,
-                                       const std::string& format) {
+TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const AnnotatedFile& annotations) {
   TrainingModels models;
-  models.source = fmt::format("{} (format {})", annotations.filename().string(), format);
-  for (const AnnotatedModel& annotated : ReadAnnotations(annotations, format, spec.category)) {
+  models.source = fmt::format("{} (format {}{})", annotations.file.filename().string(), annotations.format,
+                              annotations.metric ? ", metric" : "");
+  for (const AnnotatedModel& annotated :
+       ReadAnnotations(annotations.file, annotations.format, spec.category)) {
     try {
-      AddIfPlausible(spec, Normalised(spec.category.reference, annotated.wireframe), models);
+      AddIfPlausible(spec, InMetres(spec, annotated.wireframe, annotations.metric), models);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: model '{}': {}", annotations.string(), annotated.id, error.what()));
+      throw InputError(
+          fmt::format("{}: model '{}': {}", annotations.file.string(), annotated.id, error.what()));
     }
   }
   return models;
 }
 
-TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const std::string& family, int count,
-                                    std::uint64_t seed) {
-  const std::vector<Wireframe> wireframes = FamilyWireframes(family, count, seed);
-  const std::vector<std::string> names = family == "table" ? TableEdgeNames() : LaptopEdgeNames();
+TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const FamilySample& sample) {
+  const std::vector<Wireframe> wireframes = FamilyWireframes(sample);
+  const std::vector<std::string> names = EdgeNames(sample.family);
   if (spec.category.edge_names != names) {
-    throw InputError(fmt::format(
-        "family {} has the edges [{}], but category {} has [{}]; use the family's own "
-        "specification",
-        family, fmt::join(names, ", "), spec.category.name, fmt::join(spec.category.edge_names, ", ")));
+    throw InputError(
+        fmt::format("family {} has the edges [{}], but category {} has [{}]; use the family's own "
+                    "specification",
+                    sample.family, fmt::join(names, ", "), spec.category.name,
+                    fmt::join(spec.category.edge_names, ", ")));
   }
   TrainingModels models;
-  models.source = fmt::format(
-      "our own family of {}s (datasets/families.cc, BSD-3-Clause), {} members, seed {}", family, count, seed);
-  for (const Wireframe& wireframe : wireframes) AddIfPlausible(spec, wireframe, models);
+  models.source = fmt::format("our own family of {}s (datasets/cad, BSD-3-Clause), {} members, seed {}",
+                              sample.family, sample.count, sample.seed);
+  for (const Wireframe& wireframe : wireframes) {
+    AddIfPlausible(spec, InMetres(spec, wireframe, sample.metric), models);
+  }
   return models;
 }
 

@@ -18,14 +18,26 @@ struct TrainingModels {
   std::string source;                 // what they are
 };
 
-// Annotated models scaled by the category's metric reference. Throws InputError naming the file (and the
-// model).
-TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const std::filesystem::path& annotations,
-                                       const std::string& format);
+struct AnnotatedFile {
+  std::filesystem::path file;
+  std::string format = "edges";  // one of AnnotationFormats()
+  bool metric = false;           // in metres already
+};
+
+// Annotated models scaled by the category's metric reference, which gives all of them the same seat height or
+// the like; metric ones are not scaled and keep the spread of their sizes. Throws InputError naming the file
+// (and the model).
+TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const AnnotatedFile& annotations);
+
+struct FamilySample {
+  std::string family;  // chair, table, laptop
+  int count = 2000;
+  std::uint64_t seed = 1;
+  bool metric = true;  // false: scaled as annotated models are
+};
 
 // Members of a family, which are in metres already: their sizes keep the family's spread. Throws InputError
 // for an unknown family or one with other edges than the specification's.
-TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const std::string& family, int count,
-                                    std::uint64_t seed);
+TrainingModels FamilyTrainingModels(const TrainingSpec& spec, const FamilySample& sample);
 
 }  // namespace armature

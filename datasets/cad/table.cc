@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "datasets/families.h"
+// Which tables there are, and their wireframes.
+#include "datasets/cad/table.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "category/normalise.h"
+#include "datasets/cad/edge_ends.h"
 #include "datasets/random.h"
-#include "geometry/rotation.h"
 
 namespace armature {
 namespace {
-
-struct Ends {
-  Eigen::Vector3d start, end;
-};
-
-Wireframe FromEnds(const std::vector<Ends>& edges) {
-  const auto count = static_cast<Eigen::Index>(edges.size());
-  Wireframe wireframe{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& [start, end] = edges[static_cast<size_t>(i)];
-    wireframe.midpoints.col(i) = (start + end) / 2;
-    wireframe.directions.col(i) = end - start;
-  }
-  return Centred(wireframe);
-}
 
 // Kinds of tables, with their shares: what people put into homes and offices.
 struct TableKind {
@@ -48,7 +32,8 @@ const TableKind& DrawTableKind(Random& random) {
   return kTableKinds[0];
 }
 
-TableParameters DrawTable(Random& random) {
+// The shipped category model is learnt from these numbers: the solid is drawn from a stream of its own.
+TableParameters DrawShape(Random& random) {
   const TableKind& kind = DrawTableKind(random);
   TableParameters table;
   const double along = random.Uniform(0, 1);
@@ -67,13 +52,18 @@ TableParameters DrawTable(Random& random) {
   return table;
 }
 
-LaptopParameters DrawLaptop(Random& random) {
-  LaptopParameters laptop;
-  laptop.width = std::clamp(random.Normal(0.34, 0.025), 0.28, 0.40);
-  laptop.depth = laptop.width * std::clamp(random.Normal(0.71, 0.06), 0.58, 0.90);
-  laptop.lid_height = laptop.depth * random.Normal(0.93, 0.07);
-  laptop.lid_angle_deg = std::clamp(random.Normal(106, 12), 90.0, 135.0);
-  return laptop;
+void DrawSolid(Random& random, TableParameters& table) {
+  const double thickness = random.Uniform(0.018, 0.042);
+  const bool is_metal = random.Uniform(0, 1) < 0.3;
+  table.round_legs = random.Uniform(0, 1) < (is_metal ? 0.4 : 0.2);
+  table.leg = is_metal ? random.Uniform(0.025, 0.040) : random.Uniform(0.045, 0.085);
+  table.leg_taper = is_metal ? 1.0 : random.Uniform(0.55, 1.0);
+  const double shelf = random.Uniform(0.10, 0.25), drawer = random.Uniform(0.30, 0.45);
+  const double extra = random.Uniform(0, 1);
+  if (extra < 0.12) table.shelf_height = shelf;
+  if (extra > 0.80 && table.leg_start > 0.08) table.drawer_width = drawer;
+  table.top_thickness = std::clamp(table.leg_start, 0.018, thickness);
+  table.leg = std::min(table.leg, 2 * std::max(0.01, std::min(table.overhang_x, table.overhang_z)));
 }
 
 }  // namespace
@@ -82,19 +72,19 @@ Wireframe TableWireframe(const TableParameters& p) {
   const double x = p.width / 2, z = p.depth / 2;
   const Eigen::Vector3d rear_left(-x, p.height, -z), rear_right(x, p.height, -z), front_right(x, p.height, z),
       front_left(-x, p.height, z);
-  const auto leg = [&](double side_x, double side_z) -> Ends {
+  const auto leg = [&](double side_x, double side_z) -> EdgeEnds {
     const double top_x = x - p.overhang_x, top_z = z - p.overhang_z;
     return {{side_x * top_x, p.height - p.leg_start, side_z * top_z},
             {side_x * (top_x + p.splay), 0, side_z * (top_z + p.splay)}};
   };
-  return FromEnds({{rear_left, rear_right},
-                   {rear_right, front_right},
-                   {front_left, front_right},
-                   {rear_left, front_left},
-                   leg(-1, -1),
-                   leg(1, -1),
-                   leg(1, 1),
-                   leg(-1, 1)});
+  return WireframeOf({{rear_left, rear_right},
+                      {rear_right, front_right},
+                      {front_left, front_right},
+                      {rear_left, front_left},
+                      leg(-1, -1),
+                      leg(1, -1),
+                      leg(1, 1),
+                      leg(-1, 1)});
 }
 
 std::vector<std::string> TableEdgeNames() {
@@ -102,36 +92,15 @@ std::vector<std::string> TableEdgeNames() {
           "leg_rear_left", "leg_rear_right", "leg_front_right", "leg_front_left"};
 }
 
-Wireframe LaptopWireframe(const LaptopParameters& p) {
-  const double x = p.width / 2, angle = p.lid_angle_deg * kDegree;
-  const double top_y = p.lid_height * std::sin(angle), top_z = p.lid_height * std::cos(angle);
-  const Eigen::Vector3d top_left(-x, top_y, top_z), top_right(x, top_y, top_z), hinge_left(-x, 0, 0),
-      hinge_right(x, 0, 0), front_left(-x, 0, p.depth), front_right(x, 0, p.depth);
-  return FromEnds({{top_left, top_right},
-                   {top_left, hinge_left},
-                   {hinge_left, hinge_right},
-                   {top_right, hinge_right},
-                   {hinge_left, front_left},
-                   {front_left, front_right},
-                   {hinge_right, front_right}});
-}
-
-std::vector<std::string> LaptopEdgeNames() {
-  return {"screen_top", "screen_left", "hinge", "screen_right", "base_left", "base_front", "base_right"};
-}
-
 std::vector<TableParameters> SampleTableFamily(int count, std::uint64_t seed) {
-  Random random(seed);
+  Random shape(seed), solid(StreamSeed(seed, 1));
   std::vector<TableParameters> tables;
-  for (int i = 0; i < count; ++i) tables.push_back(DrawTable(random));
+  for (int i = 0; i < count; ++i) {
+    TableParameters table = DrawShape(shape);
+    DrawSolid(solid, table);
+    tables.push_back(table);
+  }
   return tables;
-}
-
-std::vector<LaptopParameters> SampleLaptopFamily(int count, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<LaptopParameters> laptops;
-  for (int i = 0; i < count; ++i) laptops.push_back(DrawLaptop(random));
-  return laptops;
 }
 
 }  // namespace armature
