@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "datasets/cad/mesh.h"
@@ -38,10 +39,16 @@ class RayScene {
 
   // The nearest surface, seen from either side. Thread-safe, as everything const here.
   RayHit Nearest(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  // The same for each of many directions, which is faster; most so if they are close to each other.
+  void Nearest(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
+               std::span<RayHit> hits) const;
   // As if there were nothing but this object.
   RayHit NearestOfObject(int object, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
   // Whether something is between the points, more than 1 mm from both.
   bool IsBlocked(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  // The same for each of many points b.
+  void AreBlocked(const Eigen::Vector3d& a, std::span<const Eigen::Vector3d> b,
+                  std::span<char> blocked) const;
 
  private:
   struct Implementation;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light of a scene: direct from the lamps, and reflected by surfaces.
+#pragma once
+
+#include <vector>
+
+#include "datasets/render/light_grid.h"
+#include "datasets/render/renderer.h"
+#include "datasets/render/surfaces.h"
+
+namespace armature {
+
+constexpr float kScreenBrightness = 0.8f;  // radiance of a white pixel of a screen
+
+struct Light {
+  std::vector<LightGrid> grids;  // one a quad
+  std::vector<Rgb> lamps;        // radiance of each
+  Rgb mean{0, 0, 0};             // radiance of all surfaces
+};
+
+// As bright as an automatic exposure would make it. The same for any number of threads.
+Light ComputeLight(const RayScene& rays, const Surfaces& surfaces, const std::vector<Lamp>& lamps,
+                   const RenderOptions& options);
+
+}  // namespace armature
