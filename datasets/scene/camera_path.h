@@ -29,11 +29,15 @@ struct CameraPath {
   double start_deg = 0;             // heading of the turn's first frame
   bool clockwise = false;
   std::vector<Keyframe> keyframes;  // of kKeyframes; evenly spaced in time
-  double sway_deg = 1.0;            // of roll and pitch, as hovering makes it
-  double sway = 0.01;               // of the position, metres; none on a turn
+  double sway_deg = 0.7;            // of roll and pitch, as hovering makes it; standard deviation
+  double sway = 0.008;              // of each coordinate of the position, metres, the same; none on a turn
 };
 
-// T_world_camera (x right, y down, z forward) of `frames` images, evenly along the path.
+// T_world_camera (x right, y down, z forward) of `frames` images, evenly along the path from its first point
+// to its last. A loop starts at its corner of least x and y (clockwise: of least x and greatest y) along the
+// world's x, at constant speed; in its half circles the heading turns smoothly from one straight's to the
+// other's. Keyframes are passed on a Catmull-Rom curve. Sway is slow (periods of some twenty to sixty images)
+// and drawn with the seed.
 std::vector<Eigen::Isometry3d> CameraPoses(const CameraPath& path, int frames, std::uint64_t seed);
 
 }  // namespace armature

@@ -23,24 +23,25 @@ struct Room {
   Material floor, walls;
   double skirting = 0.08;  // height of the skirting boards, metres; 0: none
   int pictures = 6;        // framed ones on the walls
-  int clutter = 10;        // boxes, cylinders and books on the floor and on tables, where nothing else stands
+  int clutter = 8;         // things on the floor along the walls, where nothing else stands
+  int table_clutter = 3;   // things on each table, where nothing else stands
 };
 
 struct SceneObject {
-  std::string id;
+  std::string id;        // letters, digits, '-' and '_'
   CadInstance instance;  // of the collection
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();
 };
 
-// Something that is nobody's object: it makes confusing lines.
+// Something that is nobody's object: it makes confusing lines. Mesh frame: z up, origin at the centre of its
+// footprint, so that it stands on z = 0.
 struct ClutterPiece {
-  std::string shape;  // box, cylinder, books
-  Eigen::Isometry3d T_world_mesh = Eigen::Isometry3d::Identity();
   Mesh mesh;
+  Eigen::Isometry3d T_world_mesh = Eigen::Isometry3d::Identity();
 };
 
 struct Scene {
-  std::string name;   // a plain word that can name a folder
+  std::string name;   // letters, digits, '-' and '_': it names a folder
   std::string about;  // one line
   std::uint64_t seed = 1;
   Camera camera;

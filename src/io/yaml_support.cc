@@ -114,6 +114,22 @@ std::vector<double> YamlMap::Numbers(const std::string& key) const {
 
 YamlMap YamlMap::Map(const std::string& key) const { return YamlMap(file_, Value(key), FullKey(key) + "."); }
 
+YamlMap YamlMap::MapOrEmpty(const std::string& key) const {
+  return Has(key) ? Map(key) : YamlMap(file_, YAML::Node(), FullKey(key) + ".");
+}
+
+std::vector<YamlMap> YamlMap::Maps(const std::string& key) const {
+  const YAML::Node list = Value(key);
+  if (!list.IsSequence()) {
+    throw InputError(At(key, "has to be a list of maps; write lines of the form '- {key: value}'"));
+  }
+  std::vector<YamlMap> maps;
+  for (const YAML::Node& item : list) {
+    maps.push_back(YamlMap(file_, item, fmt::format("{}[{}].", FullKey(key), maps.size())));
+  }
+  return maps;
+}
+
 bool YamlMap::IsMap(const std::string& key) const { return Value(key).IsMap(); }
 
 void YamlMap::CheckKeys(const std::vector<std::string>& known) const {

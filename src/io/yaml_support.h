@@ -25,7 +25,9 @@ class YamlMap {
   std::vector<double> Numbers(const std::string& key) const;  // a list of finite numbers
   std::vector<std::string> Texts(const std::string& key) const;
   YamlMap Map(const std::string& key) const;
-  std::vector<std::string> Keys() const;  // in the order of the file
+  YamlMap MapOrEmpty(const std::string& key) const;         // an empty map when the key is absent
+  std::vector<YamlMap> Maps(const std::string& key) const;  // a list of maps; "objects[2].id" in messages
+  std::vector<std::string> Keys() const;                    // in the order of the file
 
   // Whether the key holds a map.
   bool IsMap(const std::string& key) const;

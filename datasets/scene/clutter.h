@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Things that lie about: shapes of a scene's clutter.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "datasets/cad/mesh.h"
+#include "datasets/random.h"
+
+namespace armature {
+
+// box: of cardboard, taped; cylinder: open at the top and narrower at the bottom, as bins and vases are;
+// books: a pile, not quite straight; paper: printed sheets.
+const std::vector<std::string>& ClutterShapes();
+
+// Within `size` (metres), z up, on the plane z = 0 with the origin at its centre. A cylinder's diameter is
+// the lesser of x and y. `random` draws what makes two of a kind differ.
+Mesh ClutterMesh(const std::string& shape, const Eigen::Vector3d& size, const Colour& colour, Random& random);
+
+// A muted colour that suits the shape.
+Colour DrawClutterColour(const std::string& shape, Random& random);
+
+}  // namespace armature

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/scene/instance_yaml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "datasets/scene/scene_fields.h"
+#include "io/errors.h"
+#include "io/nearest_name.h"
+#include "io/text.h"
+
+namespace armature {
+namespace {
+
+using Instances = std::vector<const CadInstance*>;
+
+std::vector<std::string> Categories(const std::vector<CadInstance>& collection) {
+  std::vector<std::string> categories;
+  for (const CadInstance& instance : collection) {
+    const bool is_known =
+        std::find(categories.begin(), categories.end(), instance.category) != categories.end();
+    if (!is_known) categories.push_back(instance.category);
+  }
+  return categories;
+}
+
+Instances OfCategory(const YamlMap& map, const std::vector<CadInstance>& collection) {
+  const std::string category = map.Text("category");
+  Instances instances;
+  for (const CadInstance& instance : collection) {
+    if (instance.category == category) instances.push_back(&instance);
+  }
+  if (!instances.empty()) return instances;
+  throw InputError(fmt::format("{}: {}", map.Where("category"),
+                               UnknownNameMessage("category", category, Categories(collection))));
+}
+
+[[noreturn]] void ThrowUnknown(const YamlMap& map, const std::string& id, const Instances& instances,
+                               const std::vector<CadInstance>& collection) {
+  for (const CadInstance& other : collection) {
+    if (other.id != id) continue;
+    throw InputError(map.At("instance", fmt::format("is {}, a {}; name a {}, or correct the category",
+                                                    Quoted(id), other.category, map.Text("category"))));
+  }
+  std::vector<std::string> known{"sampled"};
+  for (const CadInstance* instance : instances) known.push_back(instance->id);
+  throw InputError(fmt::format("{}: {}", map.Where("instance"), UnknownNameMessage("instance", id, known)));
+}
+
+const CadInstance& Sampled(const YamlMap& map, const Instances& instances, Random& random) {
+  Eigen::Vector2d most = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  if (map.Has("at_most")) most = ReadPair(map, "at_most");
+  Instances candidates;
+  for (const CadInstance* instance : instances) {
+    const bool fits = instance->size.x() <= most.x() && instance->size.z() <= most.y();
+    if (instance->held_out && fits) candidates.push_back(instance);
+  }
+  if (candidates.empty()) {
+    const std::string key = map.Has("at_most") ? "at_most" : "instance";
+    throw InputError(map.At(
+        key, fmt::format("leaves no held-out {} to sample; allow larger ones, name an instance, or draw "
+                         "a larger collection",
+                         map.Text("category"))));
+  }
+  return *candidates[static_cast<size_t>(random.Uniform(0, static_cast<double>(candidates.size())))];
+}
+
+}  // namespace
+
+const CadInstance& ChosenInstance(const YamlMap& map, const std::vector<CadInstance>& collection,
+                                  Random& random) {
+  const Instances instances = OfCategory(map, collection);
+  const std::string id = map.Has("instance") ? map.Text("instance") : "sampled";
+  if (id == "sampled") return Sampled(map, instances, random);
+  if (map.Has("at_most")) {
+    throw InputError(map.At("at_most", "limits what is sampled, but the instance is named; leave one out"));
+  }
+  for (const CadInstance* instance : instances) {
+    if (instance->id == id) return *instance;
+  }
+  ThrowUnknown(map, id, instances, collection);
+}
+
+}  // namespace armature

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene as what is rendered.
+#pragma once
+
+#include <vector>
+
+#include "datasets/render/ray_scene.h"
+#include "datasets/scene/scene.h"
+
+namespace armature {
+
+// Objects first, numbered 1, 2, ... in the order of the scene; then the room: floor, walls, ceiling, skirting
+// boards, a door, a window, pictures, the lamps' housings, and clutter, the file's and scattered one. The
+// same for the same scene.
+std::vector<PlacedMesh> SceneMeshes(const Scene& scene);
+
+}  // namespace armature

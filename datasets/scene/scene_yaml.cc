@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/scene/scene_yaml.h"
+
+#include "datasets/scene/path_check.h"
+#include "datasets/scene/scene_fields.h"
+#include "datasets/scene/scene_sections.h"
+
+namespace armature {
+namespace {
+
+void ReadHead(const YamlMap& map, Scene* scene) {
+  int seed = 1;
+  ReadFields(
+      map,
+      {Option("name", &scene->name, ""), Option("about", &scene->about, ""), Option("seed", &seed, "", 0),
+       Option("fps", &scene->fps, "", 0.01, 1000), Option("frames", &scene->frames, "", 1, 100000)},
+      {"camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry", "detections"});
+  scene->name = ReadName(map, "name");
+  scene->seed = static_cast<std::uint64_t>(seed);
+}
+
+}  // namespace
+
+Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance>& collection) {
+  const YamlMap map = YamlMap::Load(file);
+  Scene scene;
+  ReadHead(map, &scene);
+  scene.camera = ReadCamera(map);
+  scene.room = ReadRoom(map);
+  scene.lamps = ReadLamps(map, scene.room);
+  scene.objects = ReadObjects(map, scene, collection);
+  scene.clutter = ReadClutter(map, scene);
+  scene.path = ReadPath(map);
+  CheckPath(map, scene);
+  scene.effects = ReadEffects(map);
+  scene.odometry = ReadOdometryNoise(map);
+  scene.detections = ReadDetectionNoise(map);
+  return scene;
+}
+
+}  // namespace armature
