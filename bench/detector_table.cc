@@ -58,7 +58,8 @@ Table DetectorTable(const std::string& sequence, size_t images, const std::vecto
       fmt::format(
           "recall: share of the length of the detected objects' own edges, in the image and not hidden, "
           "beside "
-          "which some segment runs within {} px and {} degrees; a dash without known CAD models (--cad).",
+          "which some segment runs within {} px and {} degrees; a dash without edges_gt.csv or known CAD "
+          "models (--cad).",
           tolerance.distance, tolerance.angle_deg)};
   return table;
 }

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "category/normalise.h"
+#include "eval/generated_cad.h"
 #include "io/annotation_tables.h"
 #include "io/annotations.h"
 #include "io/errors.h"
@@ -80,7 +81,8 @@ CadModel ModelOf(const Wireframe& wireframe, const Extent* extent) {
 }  // namespace
 
 CadLibrary::CadLibrary(const std::filesystem::path& folder, const std::vector<CategorySpec>& specs) {
-  bool found = false;
+  models_ = ReadGeneratedCad(folder, specs);
+  bool found = !models_.empty();
   for (const CadSource& source : Sources()) {
     const std::filesystem::path file = folder / source.annotations;
     const auto spec = std::find_if(specs.begin(), specs.end(),
@@ -96,7 +98,8 @@ CadLibrary::CadLibrary(const std::filesystem::path& folder, const std::vector<Ca
   }
   if (!found) {
     throw InputError(fmt::format(
-        "{}: has no annotated CAD models; give the folder of keypointnet_chair_kp10.csv", folder.string()));
+        "{}: has no annotated CAD models; give the folder of instances.csv, or of keypointnet_chair_kp10.csv",
+        folder.string()));
   }
 }
 

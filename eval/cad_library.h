@@ -28,6 +28,7 @@ class CadLibrary {
   //   keypointnet_chair_kp10.csv:       keypointnet:MODEL_ID       boxes in keypointnet_chair_boxes.txt
   //   shapeassembly_table_kp12.csv:     shapeassembly:ANNO_ID      boxes in shapeassembly_table_boxes.txt
   //   modelnet40_laptop_autokp6.csv:    modelnet40:FILE
+  //   instances.csv:                    armature:ID                see generated_cad.h
   // A model without boxes takes its annotated edges' bounding box. Throws InputError: none of the files
   // exists, or one is malformed. Categories without specification are left out.
   CadLibrary(const std::filesystem::path& folder, const std::vector<CategorySpec>& specs);

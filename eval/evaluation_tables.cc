@@ -11,19 +11,12 @@
 namespace armature {
 namespace {
 
-using Rows = std::vector<const EvaluatedDetection*>;
-
 struct Selection {
   int detections = 0;  // with truth
   int ok = 0;
   std::vector<ObservationError> errors;  // of those with an estimate (and, in the second table, status ok)
   MatchCounts matches;
 };
-
-void Add(const RightMatches& more, RightMatches& sum) {
-  sum.matches += more.matches;
-  sum.edges += more.edges;
-}
 
 Selection Select(const RunEvaluation& evaluation, const std::string& category, bool only_ok) {
   Selection s;
@@ -33,17 +26,10 @@ Selection Select(const RunEvaluation& evaluation, const std::string& category, b
     s.ok += d.status == "ok" ? 1 : 0;
     if (only_ok && d.status != "ok") continue;
     if (d.error) s.errors.push_back(*d.error);
-    if (!d.matches) continue;
-    s.matches.matches += d.matches->matches;
-    s.matches.visible_edges += d.matches->visible_edges;
-    Add(d.matches->on_edge, s.matches.on_edge);
-    Add(d.matches->near_edge, s.matches.near_edge);
+    if (d.matches) s.matches += *d.matches;
   }
   return s;
 }
-
-// In percent; nothing of nothing is a dash.
-Cell PercentCell(double part, int whole) { return whole == 0 ? NoCell() : NumberCell(100 * part / whole, 1); }
 
 std::vector<Cell> RowOf(const std::string& run, const std::string& category, const Selection& s,
                         bool only_ok) {
@@ -67,16 +53,12 @@ std::vector<Cell> RowOf(const std::string& run, const std::string& category, con
   return row;
 }
 
-std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs) {
-  std::set<std::string> categories;
-  for (const NamedEvaluation& run : runs) {
-    for (const EvaluatedDetection& d : run.evaluation.detections) categories.insert(d.category);
-  }
-  return {categories.begin(), categories.end()};
-}
-
 // Lines of the note under the first table.
-std::vector<std::string> Definitions() {
+std::vector<std::string> Definitions(bool true_edges) {
+  const std::string own_edges =
+      true_edges
+          ? "precision, recall: own edges as edges_gt.csv has them, see the table of edges."
+          : "precision, recall: of objects with a known CAD model (--cad); a dash where there is none.";
   return {
       "detections: those of a true object. estimates: those of them with a pose, whatever the status.",
       "azimuth, translation, distance, up axis: medians over the estimates.",
@@ -92,13 +74,13 @@ std::vector<std::string> Definitions() {
       "  such a match; without pose none has.",
       fmt::format("~: the same within {} px and {} cm: legs and posts are annotated along their axes.",
                   kNearEdge.distance, 100 * kNearEdge.metres),
-      "precision, recall: of objects with a known CAD model (--cad); a dash where there is none."};
+      own_edges};
 }
 
 std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs, bool only_ok) {
   if (only_ok)
     return {"As above, but estimates are those with status ok, and all shares are of them and their edges."};
-  std::vector<std::string> notes = Definitions();
+  std::vector<std::string> notes = Definitions(HaveTrueEdges(runs));
   for (const NamedEvaluation& run : runs) {
     if (run.evaluation.without_truth == 0) continue;
     notes.push_back(fmt::format("{}: {} detections are of no true object and are left out.", run.run,
@@ -143,6 +125,19 @@ std::string RawRow(const std::string& run, const std::string& sequence, const Ev
 }
 
 }  // namespace
+
+std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs) {
+  std::set<std::string> categories;
+  for (const NamedEvaluation& run : runs) {
+    for (const EvaluatedDetection& d : run.evaluation.detections) categories.insert(d.category);
+  }
+  return {categories.begin(), categories.end()};
+}
+
+bool HaveTrueEdges(const std::vector<NamedEvaluation>& runs) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [](const NamedEvaluation& run) { return run.evaluation.has_true_edges; });
+}
 
 std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
                                   const std::string& sequence) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of `armature eval`.
+// The tables of single views that `armature eval` prints.
 #pragma once
 
 #include <filesystem>
@@ -20,6 +20,12 @@ struct NamedEvaluation {
 // is named after the sequence, and the paths as they are where those are not distinct.
 std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
                                   const std::string& sequence);
+
+// What detections of the runs are of, sorted.
+std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs);
+
+// Whether the matches of the runs, on one sequence, are judged by its edges_gt.csv.
+bool HaveTrueEdges(const std::vector<NamedEvaluation>& runs);
 
 // Runs on one sequence, a row a run and category and one of all categories: first of all detections that have
 // an estimate whatever its status, then of those with status ok alone.

@@ -55,15 +55,18 @@ GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   truth.objects_source = FirstComment(sequence / "objects_gt.csv");
   const CsvTable table(sequence / "detections_gt.csv", {"timestamp", "index", "id"});
   for (const CsvRow& row : table.rows()) {
+    const std::pair<long long, int> detection{Microseconds(row.Number("timestamp")), row.Integer("index")};
+    if (row.IsEmpty("id")) {
+      truth.false_alarms.push_back(detection);
+      continue;
+    }
     const auto object = std::find_if(truth.objects.begin(), truth.objects.end(),
                                      [&](const TrueObject& o) { return o.id == row.Text("id"); });
-    if (row.IsEmpty("id")) continue;  // a false alarm
     if (object == truth.objects.end()) {
       throw InputError(row.At(
           fmt::format("no object '{}' in objects_gt.csv; add it or leave the id empty", row.Text("id"))));
     }
-    truth.detections[{Microseconds(row.Number("timestamp")), row.Integer("index")}] =
-        static_cast<size_t>(object - truth.objects.begin());
+    truth.detections[detection] = static_cast<size_t>(object - truth.objects.begin());
   }
   return truth;
 }

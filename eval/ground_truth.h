@@ -28,6 +28,8 @@ struct GroundTruth {
   std::string objects_source;  // the first comment of objects_gt.csv: where it is from; empty: none
   // Which object a detection is of: (timestamp in whole microseconds, index) -> position in `objects`.
   std::map<std::pair<long long, int>, size_t> detections;
+  // The detections that are of no object: (timestamp in whole microseconds, index).
+  std::vector<std::pair<long long, int>> false_alarms;
 
   // The true T_camera_object of a detection, none when it is of no true object (a false alarm).
   std::optional<Eigen::Isometry3d> TrueCameraObject(double timestamp, int index) const;

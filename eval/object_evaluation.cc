@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "eval/category_lookup.h"
 #include "eval/observation_metrics.h"
-#include "eval/true_scene.h"
 #include "eval/visible_edges.h"
 #include "geometry/oriented_box.h"
 

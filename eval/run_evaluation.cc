@@ -8,7 +8,6 @@
 #include "eval/true_scene.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
-#include "io/sequence.h"
 
 namespace armature {
 namespace {
@@ -22,52 +21,21 @@ size_t EdgeIndex(const RunResults& run, const CategorySpec& spec, const std::str
   return static_cast<size_t>(found - spec.edge_names.begin());
 }
 
-// A match: the physical edge that it names, and its segment.
-struct NamedSegment {
-  size_t edge;
-  Segment segment;
-};
-
-RightMatches CountRight(const std::vector<NamedSegment>& matches, const std::vector<VisibleEdge>& edges,
-                        const EdgeTolerance& tolerance) {
-  RightMatches right;
-  std::vector<bool> found(edges.size(), false);
-  for (const NamedSegment& match : matches) {
-    if (!LiesOnEdge(match.segment, edges[match.edge], tolerance)) continue;
-    ++right.matches;
-    found[match.edge] = true;
-  }
-  for (size_t i = 0; i < edges.size(); ++i) {
-    right.edges += found[i] && edges[i].visible_length() >= kLeastVisiblePixels ? 1 : 0;
-  }
-  return right;
-}
-
-// `named[e]`: the physical edge that the estimate calls e.
-MatchCounts CountMatches(const RunResults& run, const CategorySpec& spec, const RunObservation* observation,
-                         const std::vector<VisibleEdge>& edges, const std::vector<int>& named) {
+// None without pose: it is what tells under which symmetric turn the names are meant.
+std::vector<NamedSegment> MatchesOf(const RunResults& run, const CategorySpec& spec,
+                                    const RunObservation* observation) {
   std::vector<NamedSegment> matches;
-  if (observation && observation->T_camera_object) {
-    for (const RunMatch& match : observation->matches) {
-      matches.push_back({static_cast<size_t>(named[EdgeIndex(run, spec, match.edge)]), match.segment});
-    }
-  }
-  MatchCounts counts;
-  counts.matches = static_cast<int>(matches.size());
-  counts.visible_edges =
-      static_cast<int>(std::count_if(edges.begin(), edges.end(), [](const VisibleEdge& edge) {
-        return edge.visible_length() >= kLeastVisiblePixels;
-      }));
-  counts.on_edge = CountRight(matches, edges, kOnEdge);
-  counts.near_edge = CountRight(matches, edges, kNearEdge);
-  return counts;
+  if (!observation || !observation->T_camera_object) return matches;
+  for (const RunMatch& match : observation->matches)
+    matches.push_back({EdgeIndex(run, spec, match.edge), match.segment});
+  return matches;
 }
 
 EvaluatedDetection Evaluate(const RunResults& run, const TrueScene& scene, const GroundTruth& truth,
-                            size_t object, const Eigen::Isometry3d& T_world_camera,
+                            size_t object, const TimedPose& T_world_camera,
                             const RunObservation* observation) {
   const CategorySpec& spec = scene.spec(object);
-  const Eigen::Isometry3d T_true = T_world_camera.inverse() * truth.objects[object].T_world_object;
+  const Eigen::Isometry3d T_true = T_world_camera.pose.inverse() * truth.objects[object].T_world_object;
   EvaluatedDetection row;
   row.object = truth.objects[object].id;
   row.category = spec.name;
@@ -79,37 +47,45 @@ EvaluatedDetection Evaluate(const RunResults& run, const TrueScene& scene, const
     step = NearestSymmetryStep(T_estimated.linear(), T_true.linear(), spec.symmetry_order);
   }
   if (const auto edges = scene.EdgesSeen(object, T_world_camera)) {
-    const auto named = SymmetricCounterparts(*scene.wireframe(object), spec.symmetry_order, step);
-    row.matches = CountMatches(run, spec, observation, *edges, named);
+    const auto named = SymmetricCounterparts(scene.mean_wireframe(object), spec.symmetry_order, step);
+    JudgedMatches judged = JudgeMatches(MatchesOf(run, spec, observation), spec, *edges, named);
+    row.matches = judged.counts;
+    row.judged = std::move(judged.rows);
   }
   return row;
 }
 
-}  // namespace
-
-SequenceTruth LoadSequenceTruth(const std::filesystem::path& folder) {
-  const SequenceSettings settings = ReadSequenceSettings(folder / "sequence.yaml");
-  return {settings.name, settings.camera, LoadGroundTruth(folder)};
+void CountFalseAlarms(const RunResults& run, const GroundTruth& truth, RunEvaluation& evaluation) {
+  evaluation.false_alarms = static_cast<int>(truth.false_alarms.size());
+  for (const auto& [microseconds, index] : truth.false_alarms) {
+    const RunObservation* observation = run.Find(static_cast<double>(microseconds) / 1e6, index);
+    evaluation.trusted_false_alarms +=
+        observation && observation->ok() && observation->T_camera_object ? 1 : 0;
+  }
 }
 
+}  // namespace
+
 RunEvaluation EvaluateRun(const RunResults& run, const SequenceTruth& sequence,
-                          const std::vector<CategorySpec>& specs, const CadLibrary& cad) {
+                          const std::vector<CategoryModel>& models, const CadLibrary& cad) {
   const GroundTruth& truth = sequence.truth;
-  const TrueScene scene(sequence.camera, truth, specs, cad);
+  const TrueScene scene(sequence, models, cad);
   RunEvaluation evaluation;
   evaluation.sequence = sequence.name;
+  evaluation.has_true_edges = sequence.edges.has_value();
   for (const auto& [key, object] : truth.detections) {
     const double timestamp = static_cast<double>(key.first) / 1e6;
     const std::optional<size_t> camera = IndexOfStamp(truth.T_world_camera, timestamp);
     if (!camera) continue;
-    evaluation.detections.push_back(Evaluate(run, scene, truth, object, truth.T_world_camera[*camera].pose,
-                                             run.Find(timestamp, key.second)));
+    evaluation.detections.push_back(
+        Evaluate(run, scene, truth, object, truth.T_world_camera[*camera], run.Find(timestamp, key.second)));
     evaluation.detections.back().timestamp = timestamp;
     evaluation.detections.back().index = key.second;
   }
   for (const auto& [key, observation] : run.observations) {
     if (!truth.TrueCameraObject(observation.timestamp, observation.index)) ++evaluation.without_truth;
   }
+  CountFalseAlarms(run, truth, evaluation);
   return evaluation;
 }
 

@@ -15,6 +15,17 @@ bool HasEdge(const Face& face, int edge) {
                      [&](const EdgeEnd& c) { return c.edge == edge; });
 }
 
+// The middles of the pixels along a line, as shares of its length.
+std::vector<double> PixelsAlong(double length) {
+  const int count = std::max(1, static_cast<int>(std::lround(length)));
+  std::vector<double> shares;
+  shares.reserve(static_cast<size_t>(count));
+  for (int i = 0; i < count; ++i) shares.push_back((i + 0.5) / count);
+  return shares;
+}
+
+Eigen::Vector2d PointOf(const Segment& line, double share) { return line.p1 + share * (line.p2 - line.p1); }
+
 VisibleEdge Sampled(const Camera& camera, const ProjectedEdge& edge,
                     const std::vector<const ImageFace*>& hiding) {
   VisibleEdge visible;
@@ -22,10 +33,8 @@ VisibleEdge Sampled(const Camera& camera, const ProjectedEdge& edge,
   visible.line = edge.line;
   visible.in_image = true;
   visible.pixels_per_metre = camera.fx * (edge.inverse_z1 + edge.inverse_z2) / 2;
-  const int count = std::max(1, static_cast<int>(std::lround(edge.length)));
-  for (int i = 0; i < count; ++i) {
-    const double t = (i + 0.5) / count;
-    const Eigen::Vector2d pixel = edge.line.p1 + t * (edge.line.p2 - edge.line.p1);
+  for (const double t : PixelsAlong(edge.length)) {
+    const Eigen::Vector2d pixel = PointOf(edge.line, t);
     const double inverse_z = edge.inverse_z1 + t * (edge.inverse_z2 - edge.inverse_z1);
     const bool hidden = std::any_of(hiding.begin(), hiding.end(),
                                     [&](const ImageFace* face) { return face->Hides(pixel, inverse_z); });
@@ -39,6 +48,11 @@ bool IsBeside(const Eigen::Vector2d& point, const Segment& segment, double dista
   const Eigen::Vector2d d = segment.p2 - segment.p1;
   const double t = (point - segment.p1).dot(d) / d.squaredNorm();
   return t >= 0 && t <= 1 && std::abs(SignedDistanceToLine(segment, point)) <= distance;
+}
+
+// Pixels.
+double DistanceAllowed(const VisibleEdge& edge, const EdgeTolerance& tolerance) {
+  return tolerance.distance + tolerance.metres * edge.pixels_per_metre;
 }
 
 }  // namespace
@@ -61,25 +75,42 @@ std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& 
   return edges;
 }
 
+VisibleEdge EdgeSeenInPart(const Segment& line, double visible_share, double pixels_per_metre) {
+  VisibleEdge edge;
+  edge.line = line;
+  edge.in_image = line.length() > 0;
+  edge.visible_share = visible_share;
+  edge.pixels_per_metre = pixels_per_metre;
+  if (!edge.in_image) return edge;
+  for (const double t : PixelsAlong(line.length())) edge.samples.push_back(PointOf(line, t));
+  return edge;
+}
+
 double CoveredLength(const VisibleEdge& edge, const std::vector<Segment>& segments,
                      const EdgeTolerance& tolerance) {
   if (!edge.in_image) return 0;
+  const double distance = DistanceAllowed(edge, tolerance);
   std::vector<const Segment*> parallel;
   for (const Segment& segment : segments) {
     if (AcuteAngle(segment, edge.line) <= tolerance.angle_deg * kDegree) parallel.push_back(&segment);
   }
   const auto covered = [&](const Eigen::Vector2d& sample) {
     return std::any_of(parallel.begin(), parallel.end(),
-                       [&](const Segment* s) { return IsBeside(sample, *s, tolerance.distance); });
+                       [&](const Segment* s) { return IsBeside(sample, *s, distance); });
   };
-  return static_cast<double>(std::count_if(edge.samples.begin(), edge.samples.end(), covered));
+  const auto count = std::count_if(edge.samples.begin(), edge.samples.end(), covered);
+  return std::min(static_cast<double>(count), edge.visible_length());
+}
+
+double DistanceFromLine(const Segment& segment, const VisibleEdge& edge) {
+  return std::max(std::abs(SignedDistanceToLine(edge.line, segment.p1)),
+                  std::abs(SignedDistanceToLine(edge.line, segment.p2)));
 }
 
 bool LiesOnEdge(const Segment& segment, const VisibleEdge& edge, const EdgeTolerance& tolerance) {
-  if (!edge.in_image || AcuteAngle(segment, edge.line) > tolerance.angle_deg * kDegree) return false;
-  const double distance = tolerance.distance + tolerance.metres * edge.pixels_per_metre;
-  if (std::abs(SignedDistanceToLine(edge.line, segment.p1)) > distance) return false;
-  if (std::abs(SignedDistanceToLine(edge.line, segment.p2)) > distance) return false;
+  if (!edge.in_image || edge.visible_share <= 0) return false;
+  if (AcuteAngle(segment, edge.line) > tolerance.angle_deg * kDegree) return false;
+  if (DistanceFromLine(segment, edge) > DistanceAllowed(edge, tolerance)) return false;
   const Eigen::Vector2d along = (edge.line.p2 - edge.line.p1).normalized();
   const double s1 = along.dot(segment.p1 - edge.line.p1), s2 = along.dot(segment.p2 - edge.line.p1);
   return std::min(std::max(s1, s2), edge.line.length()) - std::max(std::min(s1, s2), 0.0) >= 1;

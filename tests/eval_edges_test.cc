@@ -52,8 +52,8 @@ TEST(EvalEdges, FittedToSizeMovesAndScales) {
 TEST(EvalEdges, ObjectsHideOneAnother) {
   testing::TrueWorld world;
   const auto visible = [&] {
-    const TrueScene scene(world.sequence.camera, world.sequence.truth, world.specs, world.cad);
-    const auto edges = scene.EdgesSeen(0, Eigen::Isometry3d::Identity());
+    const TrueScene scene(world.sequence, world.models, world.cad);
+    const auto edges = scene.EdgesSeen(0, TimedPose());
     double length = 0;
     if (!edges) return length;
     for (const VisibleEdge& edge : *edges) length += edge.visible_length();
@@ -83,10 +83,10 @@ TEST(EvalEdges, FolderWithoutCad) {
 TEST(EvalEdges, SharedModelsFillTheirBoxes) {
   ARMATURE_SHARED_DATA_OR_SKIP(folder, "sequences/office_dev");
   ARMATURE_SHARED_DATA_OR_SKIP(cad_folder, "cad");
-  const std::vector<CategorySpec> specs = testing::ShippedSpecs();
-  const CadLibrary cad(cad_folder, specs);
-  const SequenceTruth world = LoadSequenceTruth(folder);
-  const TrueScene scene(world.camera, world.truth, specs, cad);
+  const std::vector<CategoryModel> models = LoadCategories(testing::CategoryFolder());
+  const CadLibrary cad(cad_folder, SpecsOf(models));
+  const SequenceTruth world = LoadSequenceTruth(folder, SpecsOf(models));
+  const TrueScene scene(world, models, cad);
   const Sequence sequence = LoadSequence(folder, {"chair", "laptop", "table"});
   double samples = 0, inside = 0;
   int boxes = 0, filled = 0;
@@ -97,7 +97,7 @@ TEST(EvalEdges, SharedModelsFillTheirBoxes) {
       const auto camera = IndexOfStamp(world.truth.T_world_camera, timestamp);
       if (!object || !camera) continue;
       const auto index = static_cast<size_t>(object - world.truth.objects.data());
-      const auto edges = scene.EdgesSeen(index, world.truth.T_world_camera[*camera].pose);
+      const auto edges = scene.EdgesSeen(index, world.truth.T_world_camera[*camera]);
       ASSERT_TRUE(edges) << object->instance;
       const Box& box = sequence.detections[i][k].box;
       const Box grown = box.Grown(0.05 * std::max(box.width, box.height));

@@ -90,7 +90,7 @@ TEST_F(RunFolders, UnknownEdgeName) {
 TEST_F(RunFolders, MissingTruth) {
   const testing::TrueWorld world;
   std::filesystem::remove(world.folder / "sequence/objects_gt.csv");
-  ExpectInputError([&] { LoadSequenceTruth(world.folder / "sequence"); }, {"objects_gt.csv"});
+  ExpectInputError([&] { LoadSequenceTruth(world.folder / "sequence", {}); }, {"objects_gt.csv"});
 }
 
 TEST_F(RunFolders, TruthOfAnUnknownCategory) {

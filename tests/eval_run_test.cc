@@ -109,7 +109,7 @@ TEST(EvalRun, WrongNamesAreWrongMatches) {
 TEST(EvalRun, WithoutCadMatchesAreNotJudged) {
   const TrueWorld world;
   const RunResults run = LoadRun(world.WriteRun("run", Unchanged, SameName));
-  const RunEvaluation evaluation = EvaluateRun(run, world.sequence, world.specs, CadLibrary());
+  const RunEvaluation evaluation = EvaluateRun(run, world.sequence, world.models, CadLibrary());
   for (const EvaluatedDetection& d : evaluation.detections) EXPECT_FALSE(d.matches);
 }
 

@@ -10,7 +10,8 @@
 #include "app/printed_tables.h"
 #include "bench/detector_bench.h"
 #include "bench/detector_table.h"
-#include "eval/run_evaluation.h"
+#include "eval/category_lookup.h"
+#include "eval/sequence_truth.h"
 #include "eval/true_scene.h"
 #include "io/errors.h"
 #include "io/image.h"
@@ -45,8 +46,8 @@ std::vector<ImageObject> ObjectsSeen(const TrueScene& scene, const GroundTruth& 
   for (size_t i = 0; i < detections && camera; ++i) {
     const TrueObject* object = truth.ObjectOf(timestamp, static_cast<int>(i));
     if (!object) continue;
-    auto edges = scene.EdgesSeen(static_cast<size_t>(object - truth.objects.data()),
-                                 truth.T_world_camera[*camera].pose);
+    auto edges =
+        scene.EdgesSeen(static_cast<size_t>(object - truth.objects.data()), truth.T_world_camera[*camera]);
     if (edges) seen.push_back({object->category, std::move(*edges)});
   }
   return seen;
@@ -66,16 +67,13 @@ std::vector<BenchImage> LoadImages(const Sequence& sequence, size_t count) {
 }
 
 Table BenchSequence(const fs::path& folder, const DetectorBenchArguments& arguments,
-                    const std::vector<CategorySpec>& specs, const CadLibrary& cad) {
-  std::vector<std::string> names;
-  names.reserve(specs.size());
-  for (const CategorySpec& spec : specs) names.push_back(spec.name);
-  const Sequence sequence = LoadSequence(folder, names);
+                    const std::vector<CategoryModel>& models, const CadLibrary& cad) {
+  const Sequence sequence = LoadSequence(folder, CategoryNames(models));
   const size_t limit = arguments.frames > 0 ? static_cast<size_t>(arguments.frames) : sequence.images.size();
   std::vector<BenchImage> images = LoadImages(sequence, std::min(limit, sequence.images.size()));
-  if (!arguments.cad.empty()) {
-    const SequenceTruth truth = LoadSequenceTruth(folder);
-    const TrueScene scene(truth.camera, truth.truth, specs, cad);
+  if (!arguments.cad.empty() || fs::exists(folder / kTrueEdgesFile)) {
+    const SequenceTruth truth = LoadSequenceTruth(folder, SpecsOf(models));
+    const TrueScene scene(truth, models, cad);
     for (size_t i = 0; i < images.size(); ++i) {
       images[i].objects =
           ObjectsSeen(scene, truth.truth, sequence.images[i].timestamp, sequence.detections[i].size());
@@ -89,12 +87,11 @@ Table BenchSequence(const fs::path& folder, const DetectorBenchArguments& argume
 
 int RunDetectorBench(const DetectorBenchArguments& arguments) {
   const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
-  std::vector<CategorySpec> specs;
-  for (const CategoryModel& model : LoadModels(arguments.configuration)) specs.push_back(model.spec);
-  const CadLibrary cad = arguments.cad.empty() ? CadLibrary() : CadLibrary(arguments.cad, specs);
+  const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
+  const CadLibrary cad = arguments.cad.empty() ? CadLibrary() : CadLibrary(arguments.cad, SpecsOf(models));
   std::vector<Table> tables;
   for (const fs::path& folder : arguments.sequences)
-    tables.push_back(BenchSequence(folder, arguments, specs, cad));
+    tables.push_back(BenchSequence(folder, arguments, models, cad));
   fmt::print("{}", FormatTables(tables, format));
   return 0;
 }
@@ -107,7 +104,8 @@ void AddBenchCommand(CLI::App& app, int& exit_status) {
   CLI::App* detectors =
       bench->add_subcommand("detectors", "Line detectors: time and share of the true edges found");
   detectors->add_option("SEQUENCE", a.sequences, "sequence folders")->required()->type_name("DIR");
-  detectors->add_option("--cad", a.cad, "folder of annotated CAD models, to measure recall")
+  detectors
+      ->add_option("--cad", a.cad, "folder of annotated CAD models, to measure recall without edges_gt.csv")
       ->type_name("DIR");
   detectors->add_option("--detector", a.detectors, "only this one; may be repeated")
       ->type_name("NAME")

@@ -13,7 +13,7 @@ namespace armature {
 
 struct DetectorBenchArguments {
   std::vector<std::filesystem::path> sequences;
-  std::filesystem::path cad;           // folder of annotated CAD models; empty: no recall
+  std::filesystem::path cad;           // folder of annotated CAD models; empty: recall by edges_gt.csv alone
   std::vector<std::string> detectors;  // names; empty: all
   int frames = 0;                      // the first so many images; 0: all
   std::string format = "text";

@@ -9,13 +9,14 @@
 
 #include "app/configuration.h"
 #include "app/eval_objects.h"
+#include "app/eval_observations.h"
 #include "app/eval_trajectories.h"
 
 namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
-inline const std::vector<std::string> kTableNames{"observations", "trajectory", "objects",
-                                                  "each_object",  "normal",     "paper"};
+inline const std::vector<std::string> kTableNames{"observations", "edges",  "trajectory", "objects",
+                                                  "each_object",  "normal", "paper"};
 
 struct EvalArguments {
   std::vector<std::filesystem::path> runs;  // run folders or folders of such; or trajectory files alone
@@ -23,17 +24,16 @@ struct EvalArguments {
   // trajectory files: one trajectory file.
   std::vector<std::filesystem::path> ground_truth;
   std::vector<std::string> tables;  // of kTableNames; empty: all for which there are results and truth
-  std::filesystem::path cad;        // folder of annotated CAD models; empty: matches are not judged
-  std::filesystem::path raw;        // file of all rows; empty: none
   std::string format = "text";
   bool json = false;
+  ObservationArguments observations;
   TrajectoryArguments trajectories;
   ObjectArguments objects;
   ConfigurationArguments configuration;  // its folder of category models
 };
 
-// Prints two tables of observations, one of trajectories and three of objects a sequence, and one of objects
-// beside the paper's. Returns the exit status; throws InputError.
+// Prints two tables of observations, one of edges where the truth has them, one of trajectories and three of
+// objects a sequence, and one of objects beside the paper's. Returns the exit status; throws InputError.
 int RunEval(const EvalArguments& arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/normal_term_table.h"
 #include "eval/object_tables.h"
@@ -36,9 +37,10 @@ ObjectEvaluationOptions OptionsOf(const ObjectArguments& arguments) {
 }
 
 EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
-                                   const std::vector<CategorySpec>& specs,
+                                   const std::vector<CategoryModel>& models,
                                    const ObjectEvaluationOptions& options) {
-  const SequenceTruth truth = LoadSequenceTruth(runs.front().truth);
+  const std::vector<CategorySpec> specs = SpecsOf(models);
+  const SequenceTruth truth = LoadSequenceTruth(runs.front().truth, specs);
   std::vector<fs::path> folders;
   for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
   const std::vector<std::string> names = RunNames(folders, truth.name);
@@ -46,20 +48,20 @@ EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
   for (size_t i = 0; i < runs.size(); ++i) {
     const RunResults run = LoadRun(folders[i]);
     evaluated.objects.runs.push_back({names[i], EvaluateRunObjects(run, truth, specs, options)});
-    evaluated.observations.push_back({names[i], EvaluateRun(run, truth, specs, CadLibrary())});
+    evaluated.observations.push_back({names[i], EvaluateRun(run, truth, models, CadLibrary())});
   }
   return evaluated;
 }
 
 // By name.
 std::vector<EvaluatedSequence> EvaluateSequences(const std::vector<RunToEvaluate>& runs,
-                                                 const std::vector<CategorySpec>& specs,
+                                                 const std::vector<CategoryModel>& models,
                                                  const ObjectEvaluationOptions& options, bool is_asked) {
   std::map<std::string, std::vector<RunToEvaluate>> runs_of;
   for (const RunToEvaluate& run : runs) runs_of[run.run.sequence].push_back(run);
   std::vector<EvaluatedSequence> sequences;
   for (const auto& [name, its_runs] : runs_of) {
-    EvaluatedSequence sequence = EvaluateSequence(its_runs, specs, options);
+    EvaluatedSequence sequence = EvaluateSequence(its_runs, models, options);
     if (sequence.HasMap() || is_asked) {
       sequences.push_back(std::move(sequence));
     } else {
@@ -105,7 +107,7 @@ void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
 }
 
 std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                      const std::vector<CategorySpec>& specs,
+                                      const std::vector<CategoryModel>& models,
                                       const std::vector<std::string>& names, bool is_asked,
                                       const ObjectArguments& arguments) {
   const auto has = [&](const char* name) {
@@ -113,7 +115,7 @@ std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
   };
   std::vector<Table> tables;
   std::vector<SequenceObjects> all;
-  for (const EvaluatedSequence& sequence : EvaluateSequences(runs, specs, OptionsOf(arguments), is_asked)) {
+  for (const EvaluatedSequence& sequence : EvaluateSequences(runs, models, OptionsOf(arguments), is_asked)) {
     if (has("objects")) tables.push_back(ObjectSummaryTable(sequence.objects));
     if (has("each_object")) tables.push_back(EachObjectTable(sequence.objects));
     if (has("normal")) tables.push_back(NormalTermTable(sequence.objects, sequence.observations));

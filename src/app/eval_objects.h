@@ -34,7 +34,7 @@ void AddObjectArguments(CLI::App& command, ObjectArguments& arguments);
 // so. Writes the raw rows. Throws InputError: a bad argument, a malformed or missing file, a file that cannot
 // be written.
 std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                      const std::vector<CategorySpec>& specs,
+                                      const std::vector<CategoryModel>& models,
                                       const std::vector<std::string>& names, bool is_asked,
                                       const ObjectArguments& arguments);
 

@@ -191,6 +191,10 @@ Cell NumberCell(std::optional<double> value, int digits) {
 
 Cell CountCell(long count) { return {fmt::format("{}", count), true}; }
 
+Cell PercentCell(double part, double whole) {
+  return whole > 0 ? NumberCell(100 * part / whole, 1) : NoCell();
+}
+
 Cell NoCell() { return {}; }
 
 TableFormat TableFormatFromName(const std::string& name) {

@@ -18,7 +18,8 @@ Cell TextCell(std::string text);
 // Fixed digits after the point; nothing for a value that is not finite or absent.
 Cell NumberCell(std::optional<double> value, int digits);
 Cell CountCell(long count);
-Cell NoCell();  // nothing was measured
+Cell PercentCell(double part, double whole);  // one digit after the point; nothing for a part of nothing
+Cell NoCell();                                // nothing was measured
 
 struct Table {
   std::string title;

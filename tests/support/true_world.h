@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/category_lookup.h"
 #include "eval/run_evaluation.h"
 #include "eval/true_scene.h"
 #include "geometry/rotation.h"
@@ -28,11 +29,7 @@ inline std::string PoseText(const Eigen::Isometry3d& pose, const std::string& se
                      q.w());
 }
 
-inline std::vector<CategorySpec> ShippedSpecs() {
-  std::vector<CategorySpec> specs;
-  for (const CategoryModel& model : LoadCategories(CategoryFolder())) specs.push_back(model.spec);
-  return specs;
-}
+inline std::vector<CategorySpec> ShippedSpecs() { return SpecsOf(LoadCategories(CategoryFolder())); }
 
 // An object seen from azimuth and elevation at the place, by a camera that is the world's frame.
 inline Eigen::Isometry3d SeenFrom(double azimuth_deg, double elevation_deg, const Eigen::Vector3d& place) {
@@ -49,9 +46,9 @@ class TrueWorld {
   TrueWorld() {
     WriteSequence();
     WriteCad();
-    specs = ShippedSpecs();
-    cad = CadLibrary(folder / "cad", specs);
-    sequence = LoadSequenceTruth(folder / "sequence");
+    models = LoadCategories(CategoryFolder());
+    cad = CadLibrary(folder / "cad", SpecsOf(models));
+    sequence = LoadSequenceTruth(folder / "sequence", SpecsOf(models));
   }
 
   using Change =
@@ -65,7 +62,7 @@ class TrueWorld {
     std::string observations =
         "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape\n";
     std::string associations = "timestamp,index,edge,segment_x1,segment_y1,segment_x2,segment_y2,cost\n";
-    const TrueScene scene(sequence.camera, sequence.truth, specs, cad);
+    const TrueScene scene(sequence, models, cad);
     for (const auto& [key, object] : sequence.truth.detections) {
       const double timestamp = static_cast<double>(key.first) / 1e6;
       const CategorySpec& spec = scene.spec(object);
@@ -73,7 +70,7 @@ class TrueWorld {
           change(spec.name, *sequence.truth.TrueCameraObject(timestamp, key.second));
       observations += fmt::format("{:.6f},{},ok,,1,5,{},\n", timestamp, key.second, PoseText(pose, ","));
       const auto camera = IndexOfStamp(sequence.truth.T_world_camera, timestamp);
-      const auto edges = scene.EdgesSeen(object, sequence.truth.T_world_camera[*camera].pose);
+      const auto edges = scene.EdgesSeen(object, sequence.truth.T_world_camera[*camera]);
       for (size_t e = 0; e < edges->size(); ++e) {
         if ((*edges)[e].visible_length() < kLeastVisiblePixels) continue;
         const Segment& line = (*edges)[e].line;
@@ -94,11 +91,11 @@ class TrueWorld {
   }
 
   RunEvaluation Evaluate(const std::filesystem::path& run) const {
-    return EvaluateRun(LoadRun(run), sequence, specs, cad);
+    return EvaluateRun(LoadRun(run), sequence, models, cad);
   }
 
   TempFolder folder;
-  std::vector<CategorySpec> specs;
+  std::vector<CategoryModel> models;
   CadLibrary cad;
   SequenceTruth sequence;
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/generated_cad.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/annotations.h"
+#include "io/csv.h"
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+using WireframesById = std::map<std::string, Wireframe>;
+
+// The tables of edges, each read when the first instance in it is met.
+class EdgeFiles {
+ public:
+  explicit EdgeFiles(fs::path folder) : folder_(std::move(folder)) {}
+
+  const Wireframe& EdgesOf(const CsvRow& instance, const CategorySpec& spec, bool held_out) {
+    const std::string name = fmt::format("{}_edges{}.csv", spec.name, held_out ? "_held_out" : "");
+    const WireframesById& wireframes = Read(name, spec);
+    const auto found = wireframes.find(instance.Text("id"));
+    if (found != wireframes.end()) return found->second;
+    throw InputError(instance.At(
+        fmt::format("'{}' has no edges in {}; generate the folder again", instance.Text("id"), name)));
+  }
+
+ private:
+  const WireframesById& Read(const std::string& name, const CategorySpec& spec) {
+    const auto [entry, is_new] = files_.try_emplace(name);
+    if (!is_new) return entry->second;
+    for (AnnotatedModel& model : ReadAnnotations(folder_ / name, "edges", spec))
+      entry->second.emplace(std::move(model.id), std::move(model.wireframe));
+    return entry->second;
+  }
+
+  fs::path folder_;
+  std::map<std::string, WireframesById> files_;
+};
+
+bool IsHeldOut(const CsvRow& row) {
+  const int held_out = row.Integer("held_out");
+  if (held_out == 0 || held_out == 1) return held_out == 1;
+  throw InputError(row.At(fmt::format("held_out is {}; give 0 or 1", held_out)));
+}
+
+Eigen::Vector3d SizeOf(const CsvRow& row) {
+  const Eigen::Vector3d size(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
+  if ((size.array() > 0).all()) return size;
+  throw InputError(row.At("a size is not positive; give metres along x, y and z"));
+}
+
+}  // namespace
+
+std::map<std::string, CadModel> ReadGeneratedCad(const fs::path& folder,
+                                                 const std::vector<CategorySpec>& specs) {
+  std::map<std::string, CadModel> models;
+  if (!fs::exists(folder / "instances.csv")) return models;
+  EdgeFiles edges(folder);
+  const CsvTable table(folder / "instances.csv",
+                       {"id", "category", "held_out", "size_x", "size_y", "size_z"});
+  for (const CsvRow& row : table.rows()) {
+    const auto spec = std::find_if(specs.begin(), specs.end(),
+                                   [&](const CategorySpec& s) { return s.name == row.Text("category"); });
+    if (spec == specs.end()) continue;
+    const Eigen::Vector3d half = SizeOf(row) / 2;
+    const CadModel model{edges.EdgesOf(row, *spec, IsHeldOut(row)), -half, half};
+    if (!models.emplace("armature:" + row.Text("id"), model).second)
+      throw InputError(row.At(fmt::format("'{}' is there twice; keep one row", row.Text("id"))));
+  }
+  return models;
+}
+
+}  // namespace armature
