@@ -12,7 +12,7 @@
 #include "datasets/render/camera_effects.h"
 #include "datasets/render/renderer.h"
 #include "datasets/scene/camera_path.h"
-#include "datasets/scene/scene_meshes.h"
+#include "datasets/scene/room_mesh.h"
 #include "datasets/scene/scene_yaml.h"
 #include "datasets/sequence_tables.h"
 #include "datasets/simulation/detections.h"

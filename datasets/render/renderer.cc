@@ -130,7 +130,7 @@ Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_
                                   1 / (camera.fx * std::sqrt(static_cast<double>(samples)))};
   std::vector<Vector3d> directions(static_cast<size_t>(camera.width) * samples);
   std::vector<RayHit> hits(directions.size());
-  Picture picture{cv::Mat3f(camera.height, camera.width)};
+  Picture picture{cv::Mat3f(camera.height, camera.width), cv::Mat1i(camera.height, camera.width)};
   for (int y = 0; y < camera.height; ++y) {
     for (size_t i = 0; i < directions.size(); ++i) {
       const Vector2d pixel = Vector2d(static_cast<double>(i / samples), y) + places[i % samples];
@@ -142,6 +142,7 @@ Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_
       const Rgb rgb = implementation_->Pixel(std::span(directions).subspan(first, samples),
                                              std::span(hits).subspan(first, samples), view);
       picture.radiance(y, x) = cv::Vec3f(rgb[2], rgb[1], rgb[0]);
+      picture.objects(y, x) = hits[first].object;
     }
   }
   return picture;

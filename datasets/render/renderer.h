@@ -30,7 +30,7 @@ struct RenderOptions {
 // What the sensor of a perfect camera receives.
 struct Picture {
   cv::Mat3f radiance;  // linear blue, green, red; 1 is white in a well exposed picture
-  cv::Mat1i objects;   // the number of the object at each pixel's centre, kRoom elsewhere
+  cv::Mat1i objects;   // the number of the object that each pixel's first ray meets, kRoom elsewhere
 };
 
 class Renderer {

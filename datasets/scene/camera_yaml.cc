@@ -35,7 +35,8 @@ OdometryNoise ReadOdometryNoise(const YamlMap& file) {
       {Option("scale", &noise.scale, "", 1e-3, 1e3), Option("scale_drift", &noise.scale_drift, "", -0.9, 10),
        Option("heading_drift_deg", &noise.heading_drift_deg, "", -360, 360),
        Option("translation_noise", &noise.translation_noise, "", 0, 1),
-       Option("rotation_noise_deg", &noise.rotation_noise_deg, "", 0, 45)});
+       Option("rotation_noise_deg", &noise.rotation_noise_deg, "", 0, 45),
+       Option("tells_up", &noise.tells_up, "")});
   return noise;
 }
 
