@@ -37,8 +37,8 @@ struct Studio {
   std::vector<DetectableObject> objects;
   DetectionNoise noise;
 
-  Studio(const Scene& scene, double detection_noise)
-      : scene(scene),
+  Studio(const Scene& photographed, double detection_noise)
+      : scene(photographed),
         renderer(SceneMeshes(scene), scene.lamps, {}),
         noise(scene.detections.Times(detection_noise)) {
     for (const SceneObject& object : scene.objects)
