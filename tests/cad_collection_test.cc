@@ -98,8 +98,8 @@ TEST(Collection, WireframesAreNearlyAsLargeAsTheirMeshes) {
     const Vector3d beyond = instance.size - BoundingBoxSize(instance.wireframe);
     EXPECT_GE(beyond.minCoeff(), -1e-12) << instance.id;
     EXPECT_LT(beyond.y(), 0.03) << instance.id;
-    if (instance.category == "chair") continue;  // armrests reach beyond the wireframe
-    EXPECT_LT(beyond.maxCoeff(), 0.03) << instance.id;
+    if (instance.category == "chair") continue;          // armrests reach beyond the wireframe
+    EXPECT_LT(beyond.maxCoeff(), 0.085) << instance.id;  // splayed feet, thickest leg
   }
 }
 
