@@ -55,6 +55,30 @@ TEST(Families, TablesStayWithinFurnitureSizes) {
   }
 }
 
+TEST(Families, ChairsStayWithinFurnitureSizes) {
+  for (const ChairParameters& chair : SampleChairFamily(2000, 3)) {
+    const Eigen::Vector3d size = BoundingBoxSize(ChairWireframe(chair));
+    EXPECT_GT(size.minCoeff(), 0.36);
+    EXPECT_LT(size.maxCoeff(), 1.18);
+    EXPECT_NEAR(chair.seat_height, 0.45, 0.036);
+    EXPECT_GT(chair.height - chair.seat_height, 0.15);
+    EXPECT_LT(chair.cushion + chair.seat_thickness, 0.1);
+    EXPECT_GE(chair.bars, 2);
+  }
+}
+
+TEST(Families, ChairEdgesAreWhereTheirParametersSay) {
+  ChairParameters parameters;
+  parameters.recline = 0.1;
+  parameters.seat_rise = 0.02;
+  parameters.front_feet = 0.50;
+  const Wireframe chair = ChairWireframe(parameters);
+  EXPECT_LT((chair.End(0, 0) - Eigen::Vector3d(-0.22, 0.89, -0.1)).norm(), 1e-12);   // back_top, at the left
+  EXPECT_LT((chair.End(5, 1) - Eigen::Vector3d(-0.225, 0.47, 0.41)).norm(), 1e-12);  // seat_left, in front
+  EXPECT_LT((chair.End(7, 1) - Eigen::Vector3d(-0.25, 0, 0.40)).norm(), 1e-12);  // leg_front_left, its foot
+  EXPECT_LT((chair.End(9, 0) - chair.End(2, 1)).norm(), 1e-12);  // the right post goes on as the rear leg
+}
+
 TEST(Families, TableEdgesAreWhereTheirParametersSay) {
   TableParameters parameters;
   parameters.width = 1.6;

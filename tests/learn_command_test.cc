@@ -94,7 +94,37 @@ TEST(LearnCommand, LearnsFromAnnotatedEdges) {
   EXPECT_NEAR(mean.directions(2, 1), 5 * (1 + 1 / 2.0 + 1 / 3.0 + 1 / 4.0) / 4, 1e-7);
 }
 
+TEST(LearnCommand, ComparesAFamilyWithItself) {
+  const std::string arguments = Spec("chair") + " --family chair --count 200 --compare-family chair";
+  const auto json = nlohmann::json::parse(Learn(arguments + " --json"))["comparison"];
+  EXPECT_EQ(json["models_read"], 200);
+  for (const double mean : json["others"]["mean"]) EXPECT_NEAR(mean, 0, 1e-6);
+  for (const double deviation : json["others"]["deviation"]) EXPECT_NEAR(deviation, 1, 1e-6);
+  EXPECT_EQ(json["own"]["midpoint_m"], json["others"]["midpoint_m"]);
+  EXPECT_NE(Learn(arguments).find("others std"), std::string::npos);
+}
+
+TEST(LearnCommand, MetricAnnotationsKeepTheirSizes) {
+  const TempFolder folder;
+  folder.Write("spec.yaml",
+               "category: rod\nedges: [across, along]\nbase_edges: [along, across]\n"
+               "reference: {measure: length, edges: [across], metres: 1}\ntraining: {mirrored: false}\n");
+  std::string rows = "model,edge,x1,y1,z1,x2,y2,z2\n";
+  for (const int i : {1, 3}) rows += fmt::format("m{0},across,0,0,0,{0},0,0\nm{0},along,0,0,0,0,0,5\n", i);
+  folder.Write("models.csv", rows);
+  const std::string root = folder.path().string(), models = root + "/models.csv";
+  Learn("--spec " + root + "/spec.yaml --annotations " + models + " --metric --out " + root + "/rod.yaml");
+  const Wireframe mean = WireframeFromVector(LoadCategory(folder / "rod.yaml").mean);
+  EXPECT_NEAR(mean.directions(0, 0), 2, 1e-9);
+  EXPECT_NEAR(mean.directions(2, 1), 5, 1e-9);
+}
+
 TEST(LearnCommand, BadUsageIsOneLine) {
+  ExpectInputError([] { Learn(Spec("table") + " --family table --metric --held-out 4"); }, {"--metric"});
+  ExpectInputError([] { Learn(Spec("table") + " --family table --compare a.csv --compare-family table"); },
+                   {"--compare FILE", "--compare-family"});
+  ExpectInputError([] { Learn(Spec("table") + " --family table --compare absent.csv"); }, {"absent.csv"});
+  ExpectInputError([] { Learn(Spec("table") + " --family table --compare-family sofa"); }, {"'sofa'"});
   ExpectInputError([] { Learn(Spec("table") + " --family table"); }, {"--out", "--held-out"});
   ExpectInputError([] { Learn(Spec("table") + " --held-out 4"); }, {"--annotations", "--family"});
   ExpectInputError([] { Learn(Spec("table") + " --family sofa --held-out 4"); },

@@ -13,7 +13,9 @@
 namespace armature {
 namespace {
 
-constexpr int kDigits = 5;  // after the point: hundredths of a millimetre
+// After the point, metres. Learning takes what varies by a micrometre as a mode of the shape: the rounding
+// must not.
+constexpr int kDigits = 7;
 
 void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream stream(file, std::ios::binary);

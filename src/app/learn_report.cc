@@ -7,6 +7,7 @@
 
 #include "category/learn.h"
 #include "geometry/rotation.h"
+#include "io/number_format.h"
 
 namespace armature {
 namespace {
@@ -50,9 +51,9 @@ std::string ComparisonText(const LearnReport& report) {
   text += fmt::format("{:>6} {:>10} {:>10} {:>12} {:>12}\n", "mode", "own mean", "own std", "others mean",
                       "others std");
   for (int i = 0; i < report.model.modes(); ++i) {
-    text += fmt::format("{:>6} {:>10.2f} {:>10.2f} {:>12.2f} {:>12.2f}\n", i + 1, own.coefficients.mean[i],
-                        own.coefficients.deviation[i], other.coefficients.mean[i],
-                        other.coefficients.deviation[i]);
+    text += fmt::format("{:>6} {:>10} {:>10} {:>12} {:>12}\n", i + 1, Fixed(own.coefficients.mean[i], 2),
+                        Fixed(own.coefficients.deviation[i], 2), Fixed(other.coefficients.mean[i], 2),
+                        Fixed(other.coefficients.deviation[i], 2));
   }
   text += "Coefficients of the models in the learnt modes, in the modes' standard deviations.\n\n";
   text += fmt::format("{:>9} {:>7} {:>14} {:>16}\n", "set", "models", "midpoint [m]", "direction [deg]");
