@@ -77,6 +77,21 @@ TEST(EvalEdgeTables, SaysWhatMatchesAreJudgedBy) {
   ExpectShares(table, kAll, "", {"100.0", "100.0", "100.0", "100.0"});
 }
 
+TEST(EvalEdgeTables, AllFormats) {
+  const EdgeWorld world;
+  const Table table = TableOf(world.Evaluate(testing::RightEdgeMatches()));
+  const std::vector<std::pair<TableFormat, std::string>> formats = {
+      {TableFormat::kText, "precision by length [%]"},
+      {TableFormat::kMarkdown, "| precision by length [%] |"},
+      {TableFormat::kCsv, ",precision by length [%],"},
+      {TableFormat::kLatex, "\\~{}precision by length [\\%]"},
+      {TableFormat::kJson, "\"precision by length [%]\": 100.0"}};
+  for (const auto& [format, text] : formats) {
+    const std::string formatted = FormatTable(table, format);
+    EXPECT_NE(formatted.find(text), std::string::npos) << formatted;
+  }
+}
+
 TEST(EvalEdgeTables, RawRows) {
   const EdgeWorld world;
   const RunEvaluation evaluation = world.Evaluate(
