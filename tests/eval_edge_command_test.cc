@@ -43,7 +43,7 @@ TEST(EvalEdgeCommand, AloneWithRows) {
   EXPECT_EQ(all["category"], "all");
   EXPECT_EQ(all["precision [%]"], 100.0);
   EXPECT_EQ(all["recall by length [%]"], 100.0);
-  EXPECT_EQ(all["of them ok [%]"], 0.0);
+  EXPECT_EQ(all["false alarms ok [%]"], 0.0);
   const std::string rows = testing::ReadFile(world.folder / "edges.csv");
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 5);
   EXPECT_NE(rows.find("run,world,0.000000,1,table0,table,top_rear,top_rear,1,1,0.000,60.000"),

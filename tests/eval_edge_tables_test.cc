@@ -64,7 +64,7 @@ TEST(EvalEdgeTables, FalseAlarmsAreOfNoCategory) {
   const EdgeWorld world;
   const Table table = TableOf(world.Evaluate({}, false, "0.2,0,ok,,1,5,0,0,3,0,0,0,1,\n"));
   EXPECT_EQ(CellText(table, kAll, "false alarms"), "2");
-  EXPECT_EQ(CellText(table, kAll, "of them ok [%]"), "50.0");
+  EXPECT_EQ(CellText(table, kAll, "false alarms ok [%]"), "50.0");
   EXPECT_EQ(CellText(table, kChair, "false alarms"), "");
 }
 
