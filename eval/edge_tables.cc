@@ -62,9 +62,8 @@ std::vector<std::string> Definitions() {
       "precision by length: each match counts by its segment's length. recall by length: share of the true",
       "  edges' visible length beside which segments of right matches of the same edge run.",
       fmt::format("~: the same within {:g} px and {:g} cm.", kNearEdge.distance, 100 * kNearEdge.metres),
-      "false alarms: detections of no object, of whatever category. false alarms ok: share of them that got "
-      "a",
-      "  pose with status ok."};
+      "false alarms: detections of no object, of whatever category. false alarms ok: share of them that got",
+      "  a pose with status ok."};
 }
 
 std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs) {
