@@ -62,8 +62,8 @@ std::vector<std::string> Definitions() {
       "precision by length: each match counts by its segment's length. recall by length: share of the true",
       "  edges' visible length beside which segments of right matches of the same edge run.",
       fmt::format("~: the same within {:g} px and {:g} cm.", kNearEdge.distance, 100 * kNearEdge.metres),
-      "false alarms: detections of no object, of whatever category. of them ok: share that got a pose with",
-      "  status ok."};
+      "false alarms: detections of no object, of whatever category. false alarms ok: share of them that got",
+      "  a pose with status ok."};
 }
 
 std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs) {
@@ -95,7 +95,7 @@ Table EdgeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
       table.columns.push_back(prefix + column);
   }
   table.columns.push_back("false alarms");
-  table.columns.push_back("of them ok [%]");
+  table.columns.push_back("false alarms ok [%]");
   std::vector<std::string> categories = CategoriesOf(runs);
   categories.push_back("");  // all
   for (const NamedEvaluation& run : runs) {

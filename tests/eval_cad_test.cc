@@ -12,11 +12,13 @@ using testing::ExpectInputError;
 
 const std::string kInstances = "id,category,held_out,size_x,size_y,size_z,mesh\n";
 
-// All edges of the category, the i-th from (i, 0, 0) to (i, 1, 0), shifted.
+// All edges of the category, the i-th from (x, 0, 0) to (x, 1, 0) with x = i + shift.
 std::string EdgesOf(const std::string& model, const CategorySpec& spec, double shift) {
   std::string rows;
-  for (size_t i = 0; i < spec.edge_names.size(); ++i)
-    rows += fmt::format("{},{},{},0,0,{},1,0\n", model, spec.edge_names[i], i + shift, i + shift);
+  for (int i = 0; i < spec.edges(); ++i) {
+    const double x = i + shift;
+    rows += fmt::format("{},{},{},0,0,{},1,0\n", model, spec.edge_names[static_cast<size_t>(i)], x, x);
+  }
   return rows;
 }
 

@@ -64,7 +64,7 @@ TEST(EvalEdgeTables, FalseAlarmsAreOfNoCategory) {
   const EdgeWorld world;
   const Table table = TableOf(world.Evaluate({}, false, "0.2,0,ok,,1,5,0,0,3,0,0,0,1,\n"));
   EXPECT_EQ(CellText(table, kAll, "false alarms"), "2");
-  EXPECT_EQ(CellText(table, kAll, "of them ok [%]"), "50.0");
+  EXPECT_EQ(CellText(table, kAll, "false alarms ok [%]"), "50.0");
   EXPECT_EQ(CellText(table, kChair, "false alarms"), "");
 }
 
@@ -75,6 +75,21 @@ TEST(EvalEdgeTables, SaysWhatMatchesAreJudgedBy) {
   const Table table = TableOf(cad.Evaluate(cad.WriteRun("run", testing::Unchanged, testing::SameName)));
   EXPECT_NE(testing::NotesText(table).find("Truth: CAD models"), std::string::npos);
   ExpectShares(table, kAll, "", {"100.0", "100.0", "100.0", "100.0"});
+}
+
+TEST(EvalEdgeTables, AllFormats) {
+  const EdgeWorld world;
+  const Table table = TableOf(world.Evaluate(testing::RightEdgeMatches()));
+  const std::vector<std::pair<TableFormat, std::string>> formats = {
+      {TableFormat::kText, "precision by length [%]"},
+      {TableFormat::kMarkdown, "| precision by length [%] |"},
+      {TableFormat::kCsv, ",precision by length [%],"},
+      {TableFormat::kLatex, "\\~{}precision by length [\\%]"},
+      {TableFormat::kJson, "\"precision by length [%]\": 100.0"}};
+  for (const auto& [format, text] : formats) {
+    const std::string formatted = FormatTable(table, format);
+    EXPECT_NE(formatted.find(text), std::string::npos) << formatted;
+  }
 }
 
 TEST(EvalEdgeTables, RawRows) {

@@ -47,8 +47,9 @@ class TrueWorld {
     WriteSequence();
     WriteCad();
     models = LoadCategories(CategoryFolder());
-    cad = CadLibrary(folder / "cad", SpecsOf(models));
-    sequence = LoadSequenceTruth(folder / "sequence", SpecsOf(models));
+    specs = SpecsOf(models);
+    cad = CadLibrary(folder / "cad", specs);
+    sequence = LoadSequenceTruth(folder / "sequence", specs);
   }
 
   using Change =
@@ -96,6 +97,7 @@ class TrueWorld {
 
   TempFolder folder;
   std::vector<CategoryModel> models;
+  std::vector<CategorySpec> specs;  // of the models
   CadLibrary cad;
   SequenceTruth sequence;
 
