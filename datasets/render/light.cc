@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kLift = 1e-3;         // metres that points are above their surface
-constexpr float kMeanRadiance = 0.2f;  // of a well exposed picture
+constexpr float kMeanRadiance = 0.3f;  // of a well exposed picture
 constexpr float kWhiteBalance = 0.8f;  // how much of the light's colour a camera takes away
 
 using Grids = std::vector<LightGrid>;  // one a quad
