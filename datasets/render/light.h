@@ -4,21 +4,22 @@
 
 #include <vector>
 
+#include "datasets/render/lamps.h"
 #include "datasets/render/light_grid.h"
 #include "datasets/render/renderer.h"
 #include "datasets/render/surfaces.h"
 
 namespace armature {
 
-constexpr float kScreenBrightness = 0.8f;  // radiance of a white pixel of a screen
+constexpr float kScreenBrightness = 0.8f;  // radiance of a white pixel of a screen, which lights nothing
 
 struct Light {
   std::vector<LightGrid> grids;  // one a quad
-  std::vector<Rgb> lamps;        // radiance of each
+  Lamps lamps;                   // as bright as they are seen
   Rgb mean{0, 0, 0};             // radiance of all surfaces
 };
 
-// As bright as an automatic exposure would make it. The same for any number of threads.
+// As bright as an automatic exposure and white balance would make it. The same for any number of threads.
 Light ComputeLight(const RayScene& rays, const Surfaces& surfaces, const std::vector<Lamp>& lamps,
                    const RenderOptions& options);
 

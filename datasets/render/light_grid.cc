@@ -38,6 +38,14 @@ Rgb LightGrid::At(double u, double v) const {
   return (low[0] + (low[1] - low[0]) * tx) * (1 - ty) + (high[0] + (high[1] - high[0]) * tx) * ty;
 }
 
+void LightGrid::Add(const LightGrid& other) {
+  for (size_t i = 0; i < light.size(); ++i) light[i] += other.light[i];
+}
+
+void LightGrid::Multiply(const Rgb& factor) {
+  for (Rgb& value : light) value *= factor;
+}
+
 void LightGrid::FillHidden() {
   const std::vector<Rgb> before = light;
   for (int row = 0; row < rows; ++row) {

@@ -24,6 +24,9 @@ struct LightGrid {
   // Bilinear, u and v as those of RayHit.
   Rgb At(double u, double v) const;
 
+  void Add(const LightGrid& other);  // of the same quad
+  void Multiply(const Rgb& factor);
+
   // Gives hidden points next to others the mean of these: otherwise darkness would leak out of solids.
   void FillHidden();
 

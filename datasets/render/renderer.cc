@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "datasets/render/light.h"
+#include "datasets/render/sampling.h"
 #include "datasets/render/surfaces.h"
 #include "datasets/render/texture_functions.h"
 
@@ -14,52 +16,25 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLift = 1e-3;           // metres that reflected rays start above their surface
-constexpr double kLampTolerance = 0.02;  // metres by which a lamp may be inside of a ceiling
+constexpr double kLift = 1e-3;  // metres that reflected rays start above their surface
 constexpr double kFocus = 1.5;  // how fast the mirror image of a matt surface gets blurred, 1 / metres
-
-// Where in a pixel rays go through: for four rays a rotated grid, in which no two share a row or column.
-std::vector<Vector2d> PlacesInPixel(int count) {
-  std::vector<Vector2d> places;
-  for (int i = 0; i < count; ++i) {
-    double inverse = 0;
-    for (int bits = i, k = 1; bits > 0; bits >>= 1, ++k) inverse += (bits & 1) * std::ldexp(1.0, -k);
-    places.emplace_back((i + 0.5) / count - 0.5, inverse + 0.5 / count - 0.5);
-  }
-  return places;
-}
 
 }  // namespace
 
 struct Renderer::Implementation {
   RayScene rays;
-  std::vector<Lamp> lamps;
   RenderOptions options;
   Surfaces surfaces;
   Light light;
+
+  static double Reach(const RayHit& hit) {
+    return hit.mesh >= 0 ? hit.distance : std::numeric_limits<double>::infinity();
+  }
 
   struct View {
     Vector3d origin;          // of all rays; world
     double footprint_at_one;  // metres that a ray stands for at a distance of one metre
   };
-
-  // The lamps that are seen along a ray before `distance`. `blur`: metres a metre that the ray is wide.
-  Rgb LampsAlong(const Vector3d& origin, const Vector3d& direction, double distance, double blur) const {
-    Rgb sum(0, 0, 0);
-    if (direction.z() <= 0) return sum;
-    for (size_t i = 0; i < lamps.size(); ++i) {
-      const double to_lamp = (lamps[i].centre.z() - origin.z()) / direction.z();
-      if (to_lamp <= 0 || to_lamp > distance + kLampTolerance) continue;
-      const Vector2d p = (origin + to_lamp * direction - lamps[i].centre).head<2>();
-      const double width = std::max(blur * to_lamp, 1e-6);
-      const Vector2d half = 0.5 * lamps[i].size;
-      const float inside =
-          InRectangle(p.cast<float>(), (-half).cast<float>(), half.cast<float>(), static_cast<float>(width));
-      const double spread = lamps[i].size.prod() / ((lamps[i].size.array() + width).prod());
-      sum += inside * static_cast<float>(spread) * light.lamps[i];
-    }
-    return sum;
-  }
 
   // What a surface mirrors; the less polished it is, the more this gets lost in the mean of the room.
   Rgb Mirrored(const SurfaceQuad& quad, float gloss, const Vector3d& point, const Vector3d& direction) const {
@@ -75,7 +50,7 @@ struct Renderer::Implementation {
       const double sharpness = std::exp(-kFocus * (1 - gloss) * hit.distance);
       seen = Mix(light.mean, there, static_cast<float>(sharpness));
     }
-    seen += LampsAlong(origin, mirrored, hit.mesh >= 0 ? hit.distance : 1e9, 0.3 * (1 - gloss));
+    seen += light.lamps.SeenAlong(origin, mirrored, Reach(hit), 0.3 * (1 - gloss));
     return gloss * fresnel * seen;
   }
 
@@ -96,7 +71,7 @@ struct Renderer::Implementation {
     int mirror = -1;
     for (size_t i = 0; i < hits.size(); ++i) {
       const RayHit& hit = hits[i];
-      sum += LampsAlong(view.origin, directions[i], hit.mesh >= 0 ? hit.distance : 1e9, 0);
+      sum += light.lamps.SeenAlong(view.origin, directions[i], Reach(hit), 0);
       if (hit.mesh < 0) continue;
       const SurfaceQuad& quad = surfaces.quads[static_cast<size_t>(surfaces.QuadOf(hit))];
       const Vector3d point = view.origin + hit.distance * directions[i];
@@ -111,12 +86,13 @@ struct Renderer::Implementation {
   }
 };
 
-Renderer::Renderer(std::vector<PlacedMesh> meshes, std::vector<Lamp> lamps, const RenderOptions& options) {
+Renderer::Renderer(std::vector<PlacedMesh> meshes, const std::vector<Lamp>& lamps,
+                   const RenderOptions& options) {
   Surfaces surfaces = ListSurfaces(meshes);
   RayScene rays(std::move(meshes));
   Light light = ComputeLight(rays, surfaces, lamps, options);
   implementation_ = std::make_unique<Implementation>(
-      Implementation{std::move(rays), std::move(lamps), options, std::move(surfaces), std::move(light)});
+      Implementation{std::move(rays), options, std::move(surfaces), std::move(light)});
 }
 
 Renderer::~Renderer() = default;
@@ -124,7 +100,7 @@ Renderer::~Renderer() = default;
 const RayScene& Renderer::rays() const { return implementation_->rays; }
 
 Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_camera) const {
-  const std::vector<Vector2d> places = PlacesInPixel(implementation_->options.samples);
+  const std::vector<Vector2d> places = SpreadPlaces(implementation_->options.samples);
   const size_t samples = places.size();
   const Implementation::View view{T_world_camera.translation(),
                                   1 / (camera.fx * std::sqrt(static_cast<double>(samples)))};
@@ -133,7 +109,8 @@ Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_
   Picture picture{cv::Mat3f(camera.height, camera.width), cv::Mat1i(camera.height, camera.width)};
   for (int y = 0; y < camera.height; ++y) {
     for (size_t i = 0; i < directions.size(); ++i) {
-      const Vector2d pixel = Vector2d(static_cast<double>(i / samples), y) + places[i % samples];
+      const Vector2d pixel =
+          Vector2d(static_cast<double>(i / samples), y) + places[i % samples] - Vector2d(0.5, 0.5);
       directions[i] = (T_world_camera.linear() * camera.Ray(pixel)).normalized();
     }
     implementation_->rays.Nearest(view.origin, directions, hits);

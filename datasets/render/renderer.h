@@ -23,20 +23,20 @@ struct Lamp {
 
 struct RenderOptions {
   double light_grid = 0.03;  // metres between points where the light is computed
-  int light_samples = 64;    // rays a point
+  int light_samples = 64;    // rays a point for reflected light; 3/8 of it to each lamp
   int samples = 4;           // rays a pixel
 };
 
 // What the sensor of a perfect camera receives.
 struct Picture {
-  cv::Mat3f radiance;  // linear blue, green, red; 1 is white in a well exposed picture
+  cv::Mat3f radiance;  // linear blue, green, red; 1 is white. Well exposed, see light.h
   cv::Mat1i objects;   // the number of the object that each pixel's first ray meets, kRoom elsewhere
 };
 
 class Renderer {
  public:
   // Computes the light. The result does not depend on the number of threads.
-  Renderer(std::vector<PlacedMesh> meshes, std::vector<Lamp> lamps, const RenderOptions& options);
+  Renderer(std::vector<PlacedMesh> meshes, const std::vector<Lamp>& lamps, const RenderOptions& options);
   ~Renderer();
 
   const RayScene& rays() const;

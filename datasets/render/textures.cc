@@ -59,10 +59,11 @@ Rgb Draw(const Paint& paint, const TexturePoint& at) {
   return paint.colour;
 }
 
-// Over places spread evenly (the R2 sequence) around the origin of the part's frame.
+// Over places spread evenly (the R2 sequence) around the origin of the part's frame: over a single painting
+// or screen, but over many boards, as each has a shade of its own.
 Rgb MeanOfPlaces(const Paint& paint) {
   constexpr int kPlaces = 400;
-  const float size = 4 * std::max(paint.scale, 0.05f);
+  const float size = (paint.texture == Texture::kBoards ? 30 : 4) * std::max(paint.scale, 0.05f);
   Rgb sum(0, 0, 0);
   for (int i = 0; i < kPlaces; ++i) {
     const float a = 0.7548777f * static_cast<float>(i), b = 0.5698403f * static_cast<float>(i);

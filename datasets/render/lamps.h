@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lamps shine on a point, and how they look.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "datasets/render/renderer.h"
+#include "datasets/render/textures.h"
+
+namespace armature {
+
+class Lamps {
+ public:
+  // `samples`: rays from a point to each lamp.
+  Lamps(const std::vector<Lamp>& lamps, int samples);
+
+  // Radiance of a white, matt surface at a point a little above it. `hash`: another one for each point.
+  Rgb LightAt(const RayScene& rays, const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+              std::uint32_t hash) const;
+
+  // Radiance of the lamps that are seen along a ray before `distance`. `blur`: metres a metre that the ray
+  // widens.
+  Rgb SeenAlong(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double distance,
+                double blur) const;
+
+  // Makes them brighter.
+  void Multiply(const Rgb& gain);
+
+ private:
+  float Received(const Lamp& lamp, const RayScene& rays, const Eigen::Vector3d& point,
+                 const Eigen::Vector3d& normal, std::uint32_t hash) const;
+
+  std::vector<Lamp> lamps_;
+  std::vector<Rgb> radiances_;
+  std::vector<Eigen::Vector2d> places_;  // on a lamp of size 1
+};
+
+}  // namespace armature
