@@ -148,7 +148,6 @@ TEST_F(SceneTest, SamplesNothingLargerThanAskedFor) {
 
 // Its seat fits below the table's top, though the boxes around the two overlap.
 TEST_F(SceneTest, LetsAChairBeDrawnUpToATable) {
-  collection_[0].mesh = testing::BlockChair("", {0.46, 0.9, 0.52}).mesh;
   const std::string chair = "  - {id: seat, category: chair, instance: chair-0001, yaw_deg: 180, ";
   EXPECT_NO_THROW(ReadObjects("  - {id: desk, category: table, instance: table-0001, position: [0, -2]}\n" +
                               chair + "position: [0, -2.3]}\n"));
