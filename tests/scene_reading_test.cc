@@ -133,6 +133,19 @@ TEST_F(SceneTest, SamplesBySeedAndPlaceInTheList) {
   EXPECT_NE(drawn(1).first, drawn(1).second);
 }
 
+TEST_F(SceneTest, SamplesNoneTwiceWhileThereAreOthers) {
+  collection_.push_back(testing::BlockChair("chair-0020", {0.4, 0.9, 0.4}));
+  for (int seed = 0; seed < 8; ++seed) {
+    const Scene scene =
+        Read(fmt::format("seed: {}\nobjects:\n"
+                         "  - {{id: a, category: chair, position: [-1, 2]}}\n"
+                         "  - {{id: b, category: chair, position: [1, 2]}}\n"
+                         "  - {{id: c, category: chair, position: [2, 2]}}\n",
+                         seed));
+    EXPECT_NE(scene.objects[0].instance.id, scene.objects[1].instance.id);
+  }
+}
+
 TEST_F(SceneTest, SamplesNothingLargerThanAskedFor) {
   collection_.push_back(testing::BlockTable("table-0020", {0.8, 0.74, 0.7}));
   for (int seed = 0; seed < 8; ++seed) {
