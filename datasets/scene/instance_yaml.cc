@@ -49,7 +49,8 @@ Instances OfCategory(const YamlMap& map, const std::vector<CadInstance>& collect
   throw InputError(fmt::format("{}: {}", map.Where("instance"), UnknownNameMessage("instance", id, known)));
 }
 
-const CadInstance& Sampled(const YamlMap& map, const Instances& instances, Random& random) {
+// The held-out ones that are not too large.
+Instances Candidates(const YamlMap& map, const Instances& instances) {
   Eigen::Vector2d most = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   if (map.Has("at_most")) most = ReadPair(map, "at_most");
   Instances candidates;
@@ -57,23 +58,36 @@ const CadInstance& Sampled(const YamlMap& map, const Instances& instances, Rando
     const bool fits = instance->size.x() <= most.x() && instance->size.z() <= most.y();
     if (instance->held_out && fits) candidates.push_back(instance);
   }
-  if (candidates.empty()) {
-    const std::string key = map.Has("at_most") ? "at_most" : "instance";
-    throw InputError(map.At(
-        key, fmt::format("leaves no held-out {} to sample; allow larger ones, name an instance, or draw "
-                         "a larger collection",
-                         map.Text("category"))));
+  if (!candidates.empty()) return candidates;
+  const std::string key = map.Has("at_most") ? "at_most" : "instance";
+  throw InputError(map.At(
+      key, fmt::format("leaves no held-out {} to sample; allow larger ones, name an instance, or draw a "
+                       "larger collection",
+                       map.Text("category"))));
+}
+
+// Those that none of the objects is; all where that leaves none.
+Instances Fresh(const Instances& instances, const std::vector<SceneObject>& objects) {
+  Instances fresh;
+  for (const CadInstance* instance : instances) {
+    const bool is_used = std::any_of(objects.begin(), objects.end(), [&](const SceneObject& object) {
+      return object.instance.id == instance->id;
+    });
+    if (!is_used) fresh.push_back(instance);
   }
-  return *candidates[static_cast<size_t>(random.Uniform(0, static_cast<double>(candidates.size())))];
+  return fresh.empty() ? instances : fresh;
 }
 
 }  // namespace
 
 const CadInstance& ChosenInstance(const YamlMap& map, const std::vector<CadInstance>& collection,
-                                  Random& random) {
+                                  const std::vector<SceneObject>& others, Random& random) {
   const Instances instances = OfCategory(map, collection);
   const std::string id = map.Has("instance") ? map.Text("instance") : "sampled";
-  if (id == "sampled") return Sampled(map, instances, random);
+  if (id == "sampled") {
+    const Instances candidates = Fresh(Candidates(map, instances), others);
+    return *candidates[static_cast<size_t>(random.Uniform(0, static_cast<double>(candidates.size())))];
+  }
   if (map.Has("at_most")) {
     throw InputError(map.At("at_most", "limits what is sampled, but the instance is named; leave one out"));
   }

@@ -3,15 +3,16 @@
 
 #include <vector>
 
-#include "datasets/cad/cad_instance.h"
 #include "datasets/random.h"
+#include "datasets/scene/scene.h"
 #include "io/yaml_support.h"
 
 namespace armature {
 
 // The instance that an object's `category`, `instance` and `at_most` choose: the named one, or one drawn
-// among the held-out ones that are not larger. Throws InputError when there is none.
+// among the held-out ones that are not larger, and not among the `others` while there are any besides. Throws
+// InputError when there is none.
 const CadInstance& ChosenInstance(const YamlMap& map, const std::vector<CadInstance>& collection,
-                                  Random& random);
+                                  const std::vector<SceneObject>& others, Random& random);
 
 }  // namespace armature

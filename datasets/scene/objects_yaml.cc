@@ -14,7 +14,7 @@
 namespace armature {
 namespace {
 
-// Of the i-th thing in a list: what stands before it in the list does not change it.
+// Of the i-th thing in a list.
 Random RandomOf(std::uint64_t seed, size_t i) { return Random(1000003 * seed + i); }
 
 void CheckIsNew(const YamlMap& map, const std::string& id, const std::vector<SceneObject>& objects) {
@@ -46,7 +46,7 @@ std::vector<SceneObject> ReadObjects(const YamlMap& file, const Scene& scene,
     object.id = ReadName(map, "id");
     CheckIsNew(map, object.id, objects);
     Random random = RandomOf(scene.seed, objects.size());
-    object.instance = ChosenInstance(map, collection, random);
+    object.instance = ChosenInstance(map, collection, objects, random);
     const Place place = ReadPlace(map, objects);
     object.T_world_object = StandingOn(place.T_world_place, object.instance);
     const NamedSolid solid{object.id, SolidOf(object.instance.mesh, object.T_world_object)};

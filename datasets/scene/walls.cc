@@ -76,8 +76,11 @@ void AddFrame(const Wall& wall, const Vector2d& low, const Vector2d& high, doubl
 
 void AddDoor(const Wall& wall, double x, const Colour& colour, Mesh* mesh) {
   constexpr double kHalf = 0.48, kTop = 2.06, kCasing = 0.07;  // metres
-  AddFrame(wall, {x - kHalf, -kCasing}, {x + kHalf, kTop}, kCasing, 0.035, Plain(kLacquer, 0.3), mesh);
   const double half = kHalf - kCasing;
+  const Material casing = Plain(kLacquer, 0.3);
+  AddBlock(wall, {x - kHalf, 0}, {x - half, kTop}, 0, 0.035, casing, mesh);
+  AddBlock(wall, {x + half, 0}, {x + kHalf, kTop}, 0, 0.035, casing, mesh);
+  AddBlock(wall, {x - half, kTop - kCasing}, {x + half, kTop}, 0, 0.035, casing, mesh);
   const Material leaf = Plain(colour, 0.3);
   AddBlock(wall, {x - half, 0.01}, {x + half, kTop - kCasing}, 0, 0.02, leaf, mesh);
   AddBlock(wall, {x - half + 0.12, 0.2}, {x + half - 0.12, 0.85}, 0.02, 0.026, leaf, mesh);
