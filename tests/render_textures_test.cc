@@ -27,9 +27,9 @@ Statistics Measure(const Paint& paint, float footprint) {
   Statistics statistics;
   double sum = 0, squares = 0;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const float x = static_cast<float>(i % kSide) / kSide - 0.5f,
-                y = static_cast<float>(i / kSide) / kSide - 0.5f;
-    const Rgb colour = ColourAt(paint, {1.001f * x, 1.003f * y, 0}, Vector3f::UnitZ(), footprint);
+    const double a = 0.7548776662 * i, b = 0.5698402910 * i;  // the R2 sequence
+    const Eigen::Vector3d point(a - std::floor(a) - 0.5, b - std::floor(b) - 0.5, 0);
+    const Rgb colour = ColourAt(paint, point.cast<float>(), Vector3f::UnitZ(), footprint);
     statistics.mean += colour;
     sum += colour[1];
     squares += static_cast<double>(colour[1]) * colour[1];
