@@ -62,7 +62,8 @@ std::vector<VisibleEdge> VisibleEdges(const Camera& camera, const CategorySpec& 
                                       const std::vector<ImageFace>& occluders) {
   const Box image{-0.5, -0.5, static_cast<double>(camera.width), static_cast<double>(camera.height)};
   ProjectedWireframe projected;
-  ProjectWireframe(camera, spec, wireframe, T_camera_object, image, {}, projected);
+  ProjectEdges(camera, wireframe, T_camera_object, image, projected);
+  DetermineVisibility(camera, spec, wireframe, T_camera_object, {}, projected);
   std::vector<VisibleEdge> edges;
   for (int i = 0; i < wireframe.edges(); ++i) {
     std::vector<const ImageFace*> hiding;

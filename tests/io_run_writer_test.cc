@@ -18,7 +18,7 @@ CategoryModel TwoEdges() {
   CategoryModel model;
   model.spec.name = "corner";
   model.spec.edge_names = {"left", "right"};
-  model.spec.padding = 0.05;
+  model.spec.padding = Eigen::Vector3d::Constant(0.05);
   // Two edges of 1 m; the first mode makes both 0.1 m longer.
   model.mean = Eigen::VectorXd::Zero(12);
   model.mean << 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0;

@@ -64,7 +64,7 @@ ObjectErrors ErrorsOf(const Map& map, const MapWorld& world) {
     worst.turn_deg = std::max(worst.turn_deg, TurnError(*object, truth));
     const Eigen::Vector3d size =
         BoundingBoxSize(WireframeFromCoefficients(*truth.model, truth.coefficients)) +
-        Eigen::Vector3d::Constant(2 * truth.model->spec.padding);
+        2 * truth.model->spec.padding;
     worst.size = std::max(worst.size, (object->Size() - size).cwiseAbs().maxCoeff());
   }
   return worst;

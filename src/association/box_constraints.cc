@@ -99,8 +99,8 @@ std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double 
   return overlap + 0.3 * inside;
 }
 
-double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view) {
-  return view.model->spec.padding * view.camera->fx * extreme.inverse_z;
+Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_camera_object) {
+  return (R_camera_object.topRows<2>().cwiseAbs2() * spec.padding.cwiseAbs2()).cwiseSqrt();
 }
 
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
@@ -121,6 +121,7 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
   const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
   const double side_x[2] = {(box.left() - camera.cx) / camera.fx, (box.right() - camera.cx) / camera.fx};
   const double side_y[2] = {(box.top() - camera.cy) / camera.fy, (box.bottom() - camera.cy) / camera.fy};
+  const Eigen::Vector2d reach = ImagePadding(view.model->spec, R);
   Eigen::Vector3d T = PrintedTranslation(view, wireframe, R);
   const double start_depth = T.z();
   for (int iteration = 0; iteration < 3; ++iteration) {
@@ -138,7 +139,7 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
       // An open side still says roughly where the object is: a tenth of the weight keeps the system regular.
       const double weight = sides[static_cast<size_t>(side)] == BoxSide::kSeen ? 1.0 : 0.1;
       A.row(side) << (horizontal ? weight : 0), (horizontal ? 0 : weight), -weight * at;
-      const double padding = side < 2 ? -view.model->spec.padding : view.model->spec.padding;
+      const double padding = (side < 2 ? -1 : 1) * reach(side % 2);
       b(side) = weight * (at * ends(2, corner) - ends(horizontal ? 0 : 1, corner) - padding);
     }
     const double prior = 1e-3;

@@ -59,8 +59,9 @@ std::optional<Box> ExpectedBox(const Camera& camera, const CategoryModel& model,
 // common.
 std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double least_overlap);
 
-// How many pixels the real object reaches beyond the wireframe there.
-double PaddingPixels(const ExtremePoint& extreme, const ObjectView& view);
+// How far the real object reaches beyond its wireframe along the image's x and y, metres: the extent of an
+// ellipsoid with the category's padding as half axes.
+Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_camera_object);
 
 // The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,

@@ -13,17 +13,20 @@ namespace {
 
 double GemanMcClure(double r, double scale) { return r * r / (1 + r * r / (scale * scale)); }
 
-double BoxCost(const ObjectView& view, const BoxSides& sides, const ProjectedWireframe& projected,
-               const BoxOptions& box_options, const CostOptions& options) {
+double BoxCost(const ObjectView& view, const Eigen::Matrix3d& R_camera_object, const BoxSides& sides,
+               const ProjectedWireframe& projected, const BoxOptions& box_options,
+               const CostOptions& options) {
   const Box& box = view.detection.box;
   const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  const Eigen::Vector2d reach = ImagePadding(view.model->spec, R_camera_object);
   const std::array<double, 4> at = {box.left(), box.top(), box.right(), box.bottom()};
   double cost = 0;
   for (size_t side = 0; side < 4; ++side) {
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     // Positive where the projection falls short of the side.
-    const double padding = PaddingPixels(extremes[side], view);
+    const double padding =
+        reach(static_cast<Eigen::Index>(side % 2)) * view.camera->fx * extremes[side].inverse_z;
     const double short_by = ((side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) - padding) / sigma;
     if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, options.box_loss_scale);
   }
@@ -84,7 +87,8 @@ double FloorCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_objec
 double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wireframe& wireframe,
                  const BoxSides& sides, const ProjectedWireframe& projected, const BoxOptions& box_options,
                  const CostOptions& options) {
-  return options.box_weight * BoxCost(view, sides, projected, box_options, options) +
+  return options.box_weight *
+             BoxCost(view, estimate.T_camera_object.linear(), sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
          (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
          options.floor_weight * FloorCost(view, estimate.T_camera_object, wireframe) +

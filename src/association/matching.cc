@@ -20,7 +20,8 @@ PairScore ComparePair(const ProjectedEdge& edge, const Segment& segment, const M
   const Eigen::Vector2d &d = edge.direction, a = segment.p1 - edge.line.p1, b = segment.p2 - edge.line.p1;
   const double p1 = d.x() * a.y() - d.y() * a.x(), p2 = d.x() * b.y() - d.y() * b.x();
   const double offset = std::abs(p1 + p2) / 2;
-  if (offset > gate.distance) return {};
+  const double distance = gate.distance + edge.slack;
+  if (offset > distance) return {};
   double t1 = d.dot(a), t2 = d.dot(b);
   if (t1 > t2) std::swap(t1, t2);
   const double overlap = std::min(t2, edge.length) - std::max(t1, 0.0);
@@ -29,7 +30,7 @@ PairScore ComparePair(const ProjectedEdge& edge, const Segment& segment, const M
   const double slope = rise / (run * gate.angle);  // tan of the angle, in units of the gate
   if (slope > 1 || overlap < kMinOverlap * run) return {};
   const double rms = std::sqrt((p1 * p1 + p2 * p2) / 2);
-  const double reach = offset / gate.distance;
+  const double reach = offset / distance;
   return {overlap, (1 - reach * reach) * (1 - slope * slope), rms};
 }
 

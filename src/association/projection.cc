@@ -59,6 +59,23 @@ ProjectedEdge ProjectEdge(const Camera& camera, const Eigen::Vector3d& end1, con
   return edge;
 }
 
+// The slab's edges at sides that face a camera above it.
+std::vector<int> NearSides(const SlabOutline& slab, const Wireframe& wireframe,
+                           const Eigen::Vector3d& camera_object) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int i : slab.edges)
+    middle += wireframe.midpoints.col(i) / static_cast<double>(slab.edges.size());
+  std::vector<int> near;
+  for (const int i : slab.edges) {
+    const Eigen::Vector3d midpoint = wireframe.midpoints.col(i);
+    Eigen::Vector3d outward = wireframe.directions.col(i).cross(Eigen::Vector3d::UnitY());
+    if (outward.dot(midpoint - middle) < 0) outward = -outward;
+    const Eigen::Vector3d to_camera = camera_object - midpoint;
+    if (outward.dot(to_camera) > 0 && to_camera.y() > 0) near.push_back(i);
+  }
+  return near;
+}
+
 bool HasEdge(const Face& face, int edge) {
   return std::count_if(face.corners.begin(), face.corners.end(),
                        [&](const EdgeEnd& c) { return c.edge == edge; }) > 0;
@@ -147,6 +164,21 @@ void ProjectEdges(const Camera& camera, const Wireframe& wireframe, const Eigen:
   }
 }
 
+void ProjectSeenEdges(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                      const Eigen::Isometry3d& T_camera_object, const Box& clip, ProjectedWireframe& out) {
+  ProjectEdges(camera, wireframe, T_camera_object, clip, out);
+  if (!spec.slab || spec.slab->drop <= 0) return;
+  const Eigen::Vector3d camera_object = T_camera_object.inverse().translation();
+  const Eigen::Vector3d down = T_camera_object.linear() * Eigen::Vector3d(0, -spec.slab->drop, 0);
+  for (const int i : NearSides(*spec.slab, wireframe, camera_object)) {
+    ProjectedEdge edge = ProjectEdge(camera, T_camera_object * wireframe.End(i, 0) + down,
+                                     T_camera_object * wireframe.End(i, 1) + down, clip);
+    edge.drop = spec.slab->drop;
+    edge.slack = edge.drop * camera.fy * 0.5 * (edge.inverse_z1 + edge.inverse_z2);
+    out.edges[static_cast<size_t>(i)] = edge;
+  }
+}
+
 void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                          const Eigen::Isometry3d& T_camera_object, const std::vector<ImageFace>& occluders,
                          ProjectedWireframe& out) {
@@ -161,7 +193,7 @@ void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const W
 void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                       const Eigen::Isometry3d& T_camera_object, const Box& clip,
                       const std::vector<ImageFace>& occluders, ProjectedWireframe& out) {
-  ProjectEdges(camera, wireframe, T_camera_object, clip, out);
+  ProjectSeenEdges(camera, spec, wireframe, T_camera_object, clip, out);
   DetermineVisibility(camera, spec, wireframe, T_camera_object, occluders, out);
 }
 

@@ -29,6 +29,8 @@ struct ProjectedEdge {
   Eigen::Vector2d direction{1, 0};        // unit, pixels
   double length = 0;                      // pixels; 0: outside the image or behind the camera
   double visible_share = 0;               // of that length, not hidden by faces
+  double drop = 0;   // metres by which `line` is that of the edge moved down, object frame: see SlabOutline
+  double slack = 0;  // pixels that the drop amounts to: segments scatter by them
 };
 
 struct ProjectedWireframe {
@@ -51,12 +53,16 @@ std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& sp
 void ProjectEdges(const Camera& camera, const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object,
                   const Box& clip, ProjectedWireframe& out);
 
+// The same with a slab's near sides where they are seen.
+void ProjectSeenEdges(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                      const Eigen::Isometry3d& T_camera_object, const Box& clip, ProjectedWireframe& out);
+
 // Then determines which parts are hidden by the object's own faces and by `occluders`: most of the work.
 void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                          const Eigen::Isometry3d& T_camera_object, const std::vector<ImageFace>& occluders,
                          ProjectedWireframe& out);
 
-// Both.
+// Both, edges as they are seen.
 void ProjectWireframe(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                       const Eigen::Isometry3d& T_camera_object, const Box& clip,
                       const std::vector<ImageFace>& occluders, ProjectedWireframe& out);

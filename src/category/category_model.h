@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,15 @@ struct Face {
   std::vector<EdgeEnd> corners;  // 3 or more
 };
 
+// A horizontal board - a table's top, a seat - that is annotated along its upper side. What is seen of the
+// sides that face the camera is mostly the lower outline, for there the bright board ends before the dark
+// below it.
+struct SlabOutline {
+  std::vector<int> edges;  // around it
+  double drop = 0;  // metres by which lines of the near sides lie below the edge, on average; they scatter
+                    // by about as much
+};
+
 // How annotated models are brought to metres: a measure of the wireframe that has a known length in the real
 // world.
 struct MetricReference {
@@ -58,8 +68,9 @@ struct CategorySpec {
   std::vector<Face> faces;
   int symmetry_order = 1;        // looks the same after each n-th of a turn about y: 1 none, 2 half a turn
   bool stands_on_floor = false;  // its lowest point touches the floor (a laptop's need not)
-  double padding = 0;  // metres: how far the real object reaches beyond its wireframe, on each side, half a
-                       // leg's thickness
+  Eigen::Vector3d padding{0, 0, 0};  // metres: how far the real object reaches beyond its wireframe, on both
+                                     // sides along each axis: half a leg's thickness, for example
+  std::optional<SlabOutline> slab;
   MetricReference reference;
   int dictionary_size = 4;  // 3-5 in the paper
 

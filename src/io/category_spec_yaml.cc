@@ -90,6 +90,26 @@ MetricReference ReadReference(const YamlMap& map, const std::vector<std::string>
   return reference;
 }
 
+// One number for all axes, or one for each.
+Eigen::Vector3d ReadPadding(const YamlMap& root) {
+  if (!root.IsList("padding")) return Eigen::Vector3d::Constant(root.Number("padding"));
+  const std::vector<double> values = root.Numbers("padding");
+  if (values.size() != 3)
+    throw InputError(root.At("padding", "has to be one length or [x, y, z], in metres"));
+  return {values[0], values[1], values[2]};
+}
+
+SlabOutline ReadSlab(const YamlMap& map, const std::vector<std::string>& names) {
+  map.CheckKeys({"edges", "drop"});
+  SlabOutline slab;
+  for (const std::string& name : map.Texts("edges"))
+    slab.edges.push_back(EdgeIndex(map, "edges", names, name));
+  if (slab.edges.size() < 3) throw InputError(map.At("edges", "needs the edges around a board, at least 3"));
+  slab.drop = map.Number("drop");
+  if (slab.drop < 0) throw InputError(map.At("drop", "is a length in metres downwards, at least 0"));
+  return slab;
+}
+
 int ReadCount(const YamlMap& map, const std::string& key, int fallback) {
   if (!map.Has(key)) return fallback;
   const int count = map.Integer(key);
@@ -120,8 +140,8 @@ std::string FacesText(const CategorySpec& spec) {
 }  // namespace
 
 std::vector<std::string> CategorySpecKeys() {
-  return {"category",        "edges",   "base_edges", "faces",          "symmetry_order",
-          "stands_on_floor", "padding", "reference",  "dictionary_size"};
+  return {"category",        "edges",   "base_edges", "faces",     "symmetry_order",
+          "stands_on_floor", "padding", "slab",       "reference", "dictionary_size"};
 }
 
 CategorySpec ReadCategorySpec(const YamlMap& root) {
@@ -132,7 +152,8 @@ CategorySpec ReadCategorySpec(const YamlMap& root) {
   spec.base_edges = ReadBaseEdges(root, spec.edge_names);
   spec.faces = ReadFaces(root, spec.edge_names);
   spec.symmetry_order = ReadCount(root, "symmetry_order", spec.symmetry_order);
-  if (root.Has("padding")) spec.padding = root.Number("padding");
+  if (root.Has("padding")) spec.padding = ReadPadding(root);
+  if (root.Has("slab")) spec.slab = ReadSlab(root.Map("slab"), spec.edge_names);
   if (root.Has("stands_on_floor")) spec.stands_on_floor = root.Boolean("stands_on_floor");
   spec.reference = ReadReference(root.Map("reference"), spec.edge_names);
   spec.dictionary_size = ReadCount(root, "dictionary_size", spec.dictionary_size);
@@ -170,8 +191,11 @@ std::string CategorySpecText(const CategorySpec& spec) {
   std::string text = fmt::format("category: {}\nedges: [{}]\n", spec.name, fmt::join(spec.edge_names, ", "));
   text += fmt::format("base_edges: {}\n", EdgeList(spec, {base_a, base_b}));
   text += FacesText(spec);
-  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: {}\n", spec.symmetry_order,
-                      spec.stands_on_floor, spec.padding);
+  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: [{}, {}, {}]\n", spec.symmetry_order,
+                      spec.stands_on_floor, spec.padding.x(), spec.padding.y(), spec.padding.z());
+  if (spec.slab)
+    text +=
+        fmt::format("slab:\n  edges: {}\n  drop: {}\n", EdgeList(spec, spec.slab->edges), spec.slab->drop);
   const bool length = spec.reference.measure == Measure::kLength;
   text += fmt::format("reference:\n  measure: {}\n  edges: {}\n  metres: {:.9g}\n",
                       length ? "length" : "height_above_ground", EdgeList(spec, spec.reference.edges),

@@ -132,6 +132,8 @@ std::vector<YamlMap> YamlMap::Maps(const std::string& key) const {
 
 bool YamlMap::IsMap(const std::string& key) const { return Value(key).IsMap(); }
 
+bool YamlMap::IsList(const std::string& key) const { return Value(key).IsSequence(); }
+
 void YamlMap::CheckKeys(const std::vector<std::string>& known) const {
   for (const std::string& key : Keys()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;

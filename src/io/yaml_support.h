@@ -29,8 +29,9 @@ class YamlMap {
   std::vector<YamlMap> Maps(const std::string& key) const;  // a list of maps; "objects[2].id" in messages
   std::vector<std::string> Keys() const;                    // in the order of the file
 
-  // Whether the key holds a map.
+  // Whether the key holds a map, a list.
   bool IsMap(const std::string& key) const;
+  bool IsList(const std::string& key) const;
   // Throws InputError for a key that is not among the known ones, naming the nearest of them.
   void CheckKeys(const std::vector<std::string>& known) const;
   // "file:line: `key` message" with the line of the key (of the map when it is absent), ready to be thrown.

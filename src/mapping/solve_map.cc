@@ -140,8 +140,7 @@ ObjectOfObservation WithoutUnsureViews(const std::vector<MapFrame>& frames, Obje
 }  // namespace
 
 Eigen::Vector3d MapObject::Size() const {
-  return BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) +
-         Eigen::Vector3d::Constant(2 * model->spec.padding);
+  return BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) + 2 * model->spec.padding;
 }
 
 double Map::MeanScale() const {

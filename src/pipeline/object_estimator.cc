@@ -51,8 +51,8 @@ std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hyp
                                    const Wireframe& wireframe, const MatchGate& gate, double bound,
                                    const AssociationOptions& options, ProjectedWireframe& scratch) {
   const Eigen::Isometry3d& T = hypothesis.start.T_camera_object;
-  ProjectEdges(*view.camera, wireframe, T, ClipBox(view.detection.box, hypothesis.sides, *view.camera),
-               scratch);
+  ProjectSeenEdges(*view.camera, view.model->spec, wireframe, T,
+                   ClipBox(view.detection.box, hypothesis.sides, *view.camera), scratch);
   const double prior =
       PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
   if (prior > bound) return std::nullopt;

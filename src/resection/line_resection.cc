@@ -41,9 +41,11 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
     if (edge.length <= 0) continue;
     const Eigen::Vector3d line = LineThrough(match.segment);
     const double weight = std::sqrt(std::min(1.0, match.segment.length() / options.full_length));
+    const double sigma = std::hypot(options.segment_sigma, edge.slack);
     for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
-      const ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
-      problem.line_terms.push_back({point, line, weight / options.segment_sigma, options.loss_scale, false});
+      ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
+      point.X0.y() -= edge.drop;
+      problem.line_terms.push_back({point, line, weight / sigma, options.loss_scale, false});
     }
   }
 }
@@ -56,6 +58,7 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
   const Box& box = view.detection.box;
   const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
+  const Eigen::Vector2d reach = ImagePadding(view.model->spec, problem.R0);
   // Signed so that the distance is positive where the projection falls short of the side.
   std::array<Eigen::Vector3d, 4> lines = {
       Eigen::Vector3d(1, 0, -box.left()), Eigen::Vector3d(0, 1, -box.top()),
@@ -63,7 +66,8 @@ void AddBox(const ObjectView& view, const BoxSides& sides, const ProjectedWirefr
   for (size_t side = 0; side < 4; ++side) {
     if (extremes[side].edge < 0) continue;
     const ShapePoint point = PointOnEdge(*problem.model, extremes[side].edge, extremes[side].s);
-    lines[side].z() -= PaddingPixels(extremes[side], view);
+    lines[side].z() -=
+        reach(static_cast<Eigen::Index>(side % 2)) * view.camera->fx * extremes[side].inverse_z;
     const double sigma = side % 2 == 0 ? sigma_x : sigma_y;
     problem.line_terms.push_back({point, lines[side], options.box_weight / sigma, options.box_loss_scale,
                                   sides[side] == BoxSide::kOpen});
