@@ -11,7 +11,7 @@
 namespace armature {
 namespace {
 
-constexpr AlignmentKind kAllKinds[] = {
+constexpr AlignmentKind kAlignments[] = {
     AlignmentKind::kNone,  AlignmentKind::kFirstPose, AlignmentKind::kSe3,   AlignmentKind::kSim3,
     AlignmentKind::kScale, AlignmentKind::kEndPoints, AlignmentKind::kFirstN};
 
@@ -25,7 +25,7 @@ Eigen::Isometry3d Pose(const Eigen::Vector3d& rotation, const Eigen::Vector3d& p
 TimedPose At(double timestamp, double x = 0) { return {timestamp, Pose({0, 0, 0}, {x, 0, 0})}; }
 
 // A curve through space with turning cameras.
-std::vector<Eigen::Isometry3d> Curve(int count) {
+std::vector<Eigen::Isometry3d> CurvePoses(int count) {
   std::vector<Eigen::Isometry3d> poses;
   for (int i = 0; i < count; ++i) {
     const double a = 0.1 * i;
@@ -65,8 +65,8 @@ void ExpectRotation(const Eigen::Matrix3d& R) {
 }
 
 TEST(Alignment, RecoversARigidMotion) {
-  const auto pairs = Moved(Curve(30), Known(1));
-  for (const AlignmentKind kind : kAllKinds) {
+  const auto pairs = Moved(CurvePoses(30), Known(1));
+  for (const AlignmentKind kind : kAlignments) {
     if (kind == AlignmentKind::kNone) continue;
     ExpectSame(Align(pairs, kind, 10), Known(1), 1e-11);
     EXPECT_FALSE(Align(pairs, kind, 10).is_degenerate);
@@ -74,7 +74,7 @@ TEST(Alignment, RecoversARigidMotion) {
 }
 
 TEST(Alignment, RecoversASimilarity) {
-  const auto pairs = Moved(Curve(30), Known(2.5));
+  const auto pairs = Moved(CurvePoses(30), Known(2.5));
   for (const auto kind : {AlignmentKind::kSim3, AlignmentKind::kScale, AlignmentKind::kEndPoints}) {
     const Similarity s = Align(pairs, kind, 0);
     ExpectSame(s, Known(2.5), 1e-11);
@@ -87,12 +87,12 @@ TEST(Alignment, RecoversASimilarity) {
 }
 
 TEST(Alignment, NoneChangesNothing) {
-  ExpectSame(Align(Moved(Curve(5), Known(2)), AlignmentKind::kNone, 1), Similarity{}, 0);
+  ExpectSame(Align(Moved(CurvePoses(5), Known(2)), AlignmentKind::kNone, 1), Similarity{}, 0);
 }
 
 // The cloud of the estimate is the mirrored one of the truth: the nearest matrix is a reflection.
 TEST(Alignment, IsNeverAReflection) {
-  auto pairs = Moved(Curve(30), Similarity{});
+  auto pairs = Moved(CurvePoses(30), Similarity{});
   for (PosePair& pair : pairs) pair.estimate.translation().x() *= -1;
   ExpectRotation(Align(pairs, AlignmentKind::kSe3, 1).R);
   const Similarity s = Align(pairs, AlignmentKind::kSim3, 1);
@@ -103,7 +103,7 @@ TEST(Alignment, IsNeverAReflection) {
 
 // Least squares: no small change of the answer makes the sum smaller.
 TEST(Alignment, IsTheMinimum) {
-  auto pairs = Moved(Curve(12), Known(0.7));
+  auto pairs = Moved(CurvePoses(12), Known(0.7));
   for (size_t i = 0; i < pairs.size(); ++i) {
     const double a = static_cast<double>(i);
     pairs[i].estimate.translation() +=
@@ -134,7 +134,7 @@ TEST(Alignment, IsTheMinimum) {
 }
 
 TEST(Alignment, FirstNLooksAtNoMore) {
-  auto pairs = Moved(Curve(30), Known(1));
+  auto pairs = Moved(CurvePoses(30), Known(1));
   for (size_t i = 10; i < pairs.size(); ++i) pairs[i].estimate.translation() *= 3;
   ExpectSame(Align(pairs, AlignmentKind::kFirstN, 10), Known(1), 1e-11);
   EXPECT_GT((Align(pairs, AlignmentKind::kFirstN, 11).t - Known(1).t).norm(), 0.1);
@@ -156,15 +156,15 @@ TEST(Alignment, EndPointsTakeTheRatioOfDistances) {
 }
 
 TEST(Alignment, OfNoPairIsTheIdentity) {
-  for (const AlignmentKind kind : kAllKinds) {
+  for (const AlignmentKind kind : kAlignments) {
     ExpectSame(Align({}, kind, 1), Similarity{}, 0);
     EXPECT_EQ(Align({}, kind, 1).is_degenerate, kind != AlignmentKind::kNone);
   }
 }
 
 TEST(Alignment, OfOnePairPutsThePoseOnTheTrueOne) {
-  const auto pairs = Moved(Curve(1), Known(1));
-  for (const AlignmentKind kind : kAllKinds) {
+  const auto pairs = Moved(CurvePoses(1), Known(1));
+  for (const AlignmentKind kind : kAlignments) {
     if (kind != AlignmentKind::kNone) ExpectSame(Align(pairs, kind, 1), Known(1), 1e-11);
   }
 }
@@ -176,7 +176,7 @@ TEST(Alignment, OfTurningInPlaceFollowsTheCameras) {
   truth.reserve(20);
   for (int i = 0; i < 20; ++i) truth.push_back(Pose({0, 0.3 * i, 0}, {4, 5, 6}));
   const auto pairs = Moved(truth, Known(1));
-  for (const AlignmentKind kind : kAllKinds) {
+  for (const AlignmentKind kind : kAlignments) {
     const Similarity s = Align(pairs, kind, 5);
     ASSERT_TRUE(s.R.allFinite() && s.t.allFinite());
     EXPECT_EQ(s.scale, 1);
@@ -202,7 +202,7 @@ TEST(Alignment, OfStraightMotionFollowsTheCamerasAboutTheLine) {
 }
 
 TEST(Alignment, KnowsItsNames) {
-  for (const AlignmentKind kind : kAllKinds) EXPECT_EQ(AlignmentFromName(AlignmentName(kind)), kind);
+  for (const AlignmentKind kind : kAlignments) EXPECT_EQ(AlignmentFromName(AlignmentName(kind)), kind);
   EXPECT_EQ(AlignmentFromName("end_points"), AlignmentKind::kEndPoints);
   testing::ExpectInputError([] { AlignmentFromName("sim2"); }, {"'sim2'", "'sim3'"});
 }

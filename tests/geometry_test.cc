@@ -73,6 +73,22 @@ TEST(Viewpoint, HalfATurnIsNoDifferenceForATable) {
   EXPECT_NEAR(std::abs(AzimuthDifference(M_PI, 0, 1)), M_PI, 1e-12);
 }
 
+TEST(Rotation, SmallestTurnsOneDirectionIntoTheOther) {
+  const Eigen::Vector3d from(1, 2, 3), to(-2, 0.5, 1);
+  const Eigen::Matrix3d R = SmallestRotation(from, to);
+  EXPECT_TRUE((R * from.normalized()).isApprox(to.normalized(), 1e-14));
+  EXPECT_TRUE((R * from.cross(to)).isApprox(from.cross(to), 1e-14)) << "its axis is across both";
+}
+
+TEST(Rotation, SmallestBetweenOppositeDirectionsIsAHalfTurn) {
+  for (const Eigen::Vector3d& from : {Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0, 0, 1)}) {
+    const Eigen::Matrix3d R = SmallestRotation(from, -2 * from);
+    EXPECT_TRUE((R * from).isApprox(-from, 1e-14));
+    EXPECT_NEAR(R.trace(), -1, 1e-14);
+    EXPECT_NEAR(R.determinant(), 1, 1e-14);
+  }
+}
+
 TEST(Camera, UndistortionUndoesTheBrownModel) {
   Camera camera{640, 480, 500, 510, 320, 240, {-0.2, 0.05, 0.001, -0.002, 0.01}};
   const double x = 0.3, y = -0.2, r2 = x * x + y * y;

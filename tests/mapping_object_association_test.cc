@@ -82,13 +82,13 @@ struct FirstMap {
   }
 };
 
-const WorldNoise kNoise{.segment_pixels = 0.5, .depth = 0.04, .yaw_deg = 3, .shape = 0.3};
+const WorldNoise kTrackNoise{.segment_pixels = 0.5, .depth = 0.04, .yaw_deg = 3, .shape = 0.3};
 
 TEST(FindJoins, TwoPiecesOfOneObjectBecomeOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
-  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  const std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   const std::vector<MapFrame> pieces = Spliced(frames, frames, 6);
   FirstMap map(pieces);
   ASSERT_EQ(map.graph.objects.size(), 2u);
@@ -111,7 +111,7 @@ TEST(FindJoins, ObjectsBehindAJoinedOneMoveUp) {
   world.Put("chair", -0.7, 2.5, 150);
   world.Put("table", 1.0, 3.0, 20);
   Walk(world);
-  std::vector<MapFrame> frames = world.Frames(kNoise);
+  std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   for (size_t i = 6; i < frames.size(); ++i) frames[i].observations[0].track += 100;  // of the chair
   FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 3u);
@@ -133,9 +133,9 @@ TEST(FindJoins, ObjectsBehindAJoinedOneMoveUp) {
 std::vector<MapFrame> TurnedHalfway(MapWorld& world, const char* category, double angle = M_PI) {
   world.Put(category, 0, 2.5, 150);
   Walk(world);
-  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  const std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   world.furniture[0].T_world_object.rotate(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
-  return Spliced(frames, world.Frames(kNoise), 6);
+  return Spliced(frames, world.Frames(kTrackNoise), 6);
 }
 
 // Joins the two pieces and solves the graph; hands back the cost.
@@ -178,7 +178,7 @@ TEST(FindJoins, NeighboursThatAreNeverSeenTogetherStayTwo) {
   other.Put("chair", 0.35, 2.5, 150);
   Walk(world);
   Walk(other);
-  const std::vector<MapFrame> frames = Spliced(world.Frames(kNoise), other.Frames(kNoise), 8);
+  const std::vector<MapFrame> frames = Spliced(world.Frames(kTrackNoise), other.Frames(kTrackNoise), 8);
   FirstMap map(frames);
   map.graph.objects[1].model = map.graph.objects[0].model;  // each world has models of its own
   ASSERT_EQ(map.graph.objects.size(), 2u);
@@ -189,7 +189,7 @@ TEST(FindJoins, WhatIsSeenTogetherIsNotOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
-  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  const std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   for (const int together : {2, 3}) {
     std::vector<MapFrame> doubled = Spliced(frames, frames, 8);
     for (int i = 0; i < together; ++i) {
@@ -206,10 +206,10 @@ TEST(FindJoins, DifferentCategoriesAreNeverOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
-  const std::vector<MapFrame> chairs = world.Frames(kNoise);
+  const std::vector<MapFrame> chairs = world.Frames(kTrackNoise);
   world.furniture.clear();
   world.Put("table", 0, 2.5, 150);
-  const std::vector<MapFrame> frames = Spliced(chairs, world.Frames(kNoise), 8);
+  const std::vector<MapFrame> frames = Spliced(chairs, world.Frames(kTrackNoise), 8);
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 2u);
   EXPECT_TRUE(FindJoins(map.graph, frames, std::nullopt, {}).empty());
@@ -224,7 +224,7 @@ Eigen::Isometry3d Shift(double x, double yaw_deg) {
 
 // Chairs in a row that are seen, then nothing for these metres of the way, then they are seen again.
 std::vector<MapFrame> SeenAgain(const MapWorld& world, const Eigen::Isometry3d& drift, double metres = 10) {
-  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  const std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   std::vector<MapFrame> again = frames;
   for (int i = 0; i < 20; ++i) {  // there and back
     again.emplace_back();
@@ -303,7 +303,7 @@ TEST(DropUnseen, LaterObjectsMoveUp) {
   world.Put("chair", 0.6, 2.5, 150);
   world.Put("table", 0, 4, 0);
   Walk(world);
-  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  const std::vector<MapFrame> frames = world.Frames(kTrackNoise);
   FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 3u);
   std::erase_if(map.graph.observations, [](const ObjectFactor& factor) { return factor.object == 1; });

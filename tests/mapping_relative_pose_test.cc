@@ -68,10 +68,10 @@ ExampleEdge MakeExampleEdge() {
   return example;
 }
 
-using Residual = std::function<Vector6d(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)>;
+using EdgeResidual = std::function<Vector6d(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to)>;
 
 // Compares the derivatives by both poses with central differences.
-void ExpectDerivatives(const ExampleEdge& e, const Residual& residual, const ByBlock& by_from,
+void ExpectDerivatives(const ExampleEdge& e, const EdgeResidual& residual, const ByBlock& by_from,
                        const ByBlock& by_to) {
   EXPECT_EQ(by_from.col(6).norm() + by_to.col(6).norm(), 0);
   const double h = 1e-6;

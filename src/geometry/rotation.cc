@@ -41,8 +41,15 @@ Eigen::Matrix3d LeftJacobianInverseSO3(const Eigen::Vector3d& w) {
   return Eigen::Matrix3d::Identity() - 0.5 * W + factor * W * W;
 }
 
+// Eigen's own Quaterniond::FromTwoVectors decomposes a matrix for opposite vectors: as slow to compile as all
+// the rest.
 Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < -1 + 1e-12) return Eigen::AngleAxisd(M_PI, a.unitOrthogonal()).toRotationMatrix();
+  const double twice_w = std::sqrt((1 + cosine) * 2);
+  const Eigen::Vector3d axis = a.cross(b) * (1 / twice_w);
+  return Eigen::Quaterniond(0.5 * twice_w, axis.x(), axis.y(), axis.z()).toRotationMatrix();
 }
 
 double WrapAngle(double angle) {

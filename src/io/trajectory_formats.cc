@@ -17,17 +17,17 @@ namespace {
 constexpr double kRotationTolerance = 1e-3;
 
 // How a format's lines look. A pose of a format with commas may have further fields.
-struct Layout {
+struct LineLayout {
   const char* name;
   size_t fields;
   bool has_commas;
   const char* example;
 };
 
-const Layout& LayoutOf(TrajectoryFormat format) {
-  static const std::array<Layout, 3> layouts{{{"TUM", 8, false, "timestamp tx ty tz qx qy qz qw"},
-                                              {"KITTI", 12, false, "r11 r12 r13 tx r21 .. tz"},
-                                              {"EuRoC", 8, true, "timestamp,px,py,pz,qw,qx,qy,qz"}}};
+const LineLayout& LayoutOf(TrajectoryFormat format) {
+  static const std::array<LineLayout, 3> layouts{{{"TUM", 8, false, "timestamp tx ty tz qx qy qz qw"},
+                                                  {"KITTI", 12, false, "r11 r12 r13 tx r21 .. tz"},
+                                                  {"EuRoC", 8, true, "timestamp,px,py,pz,qw,qx,qy,qz"}}};
   return layouts.at(static_cast<size_t>(format) - 1);
 }
 
@@ -35,7 +35,7 @@ struct Fields {
   std::vector<std::string> texts;
   bool has_commas = false;
 
-  bool Match(const Layout& layout) const {
+  bool Match(const LineLayout& layout) const {
     if (has_commas != layout.has_commas) return false;
     return has_commas ? texts.size() >= layout.fields : texts.size() == layout.fields;
   }
@@ -118,7 +118,7 @@ TimedPose ParsePose(const Fields& fields, TrajectoryFormat format, const std::st
   return format == TrajectoryFormat::kTum ? TumPose(values, where) : EurocPose(values, where);
 }
 
-void CheckLayout(const Fields& fields, const Layout& layout, const std::string& where) {
+void CheckLayout(const Fields& fields, const LineLayout& layout, const std::string& where) {
   if (fields.Match(layout)) return;
   throw InputError(fmt::format("{}: {} where a {} pose has {}; write '{}' on every line", where,
                                Described(fields), layout.name, layout.fields, layout.example));

@@ -7,7 +7,7 @@
 namespace armature {
 namespace {
 
-constexpr double kTunedScale = 0.7;
+constexpr double kEdgeDrawingScale = 0.7;
 
 // Tuned: on the image at 0.7 of its size, whose noise is averaged away, with thresholds low enough for
 // furniture before a wall of nearly its colour. The clutter that comes with them costs less than a missing
@@ -16,7 +16,7 @@ constexpr double kTunedScale = 0.7;
 class EdgeDrawing final : public LineDetector {
  public:
   explicit EdgeDrawing(bool published)
-      : detector_(cv::ximgproc::createEdgeDrawing()), scale_(published ? 1 : kTunedScale) {
+      : detector_(cv::ximgproc::createEdgeDrawing()), scale_(published ? 1 : kEdgeDrawingScale) {
     if (published) return;
     detector_->params.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::PREWITT;
     detector_->params.GradientThresholdValue = 7;

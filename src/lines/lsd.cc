@@ -7,7 +7,7 @@ namespace armature {
 namespace {
 
 constexpr double kPublishedScale = 0.8;
-constexpr double kTunedScale = 0.5;  // finds faint edges that noise breaks up
+constexpr double kLsdScale = 0.5;  // finds faint edges that noise breaks up
 constexpr double kSigmaScale = 0.6;
 constexpr double kTunedQuantisation = 1.0, kTunedDensity = 0.6;  // keep the faint edges
 constexpr double kAngleTolerance = 22.5;                         // degrees
@@ -17,9 +17,9 @@ class Lsd final : public LineDetector {
   explicit Lsd(bool published)
       : lsd_(published
                  ? cv::createLineSegmentDetector(cv::LSD_REFINE_STD, kPublishedScale)
-                 : cv::createLineSegmentDetector(cv::LSD_REFINE_STD, kTunedScale, kSigmaScale,
+                 : cv::createLineSegmentDetector(cv::LSD_REFINE_STD, kLsdScale, kSigmaScale,
                                                  kTunedQuantisation, kAngleTolerance, 0, kTunedDensity)),
-        offset_((1 / (published ? kPublishedScale : kTunedScale) - 1) / 2) {}
+        offset_((1 / (published ? kPublishedScale : kLsdScale) - 1) / 2) {}
 
   std::vector<Segment> Detect(const cv::Mat& gray) override {
     std::vector<cv::Vec4f> lines;
