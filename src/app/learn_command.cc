@@ -42,6 +42,17 @@ void CheckArguments(const LearnArguments& arguments) {
   }
 }
 
+// How the edges lie in these models, where that differs from the specification.
+void SetAnnotationHabits(const LearnArguments& arguments, CategorySpec* spec) {
+  if (!arguments.padding.empty())
+    spec->padding = {arguments.padding[0], arguments.padding[1], arguments.padding[2]};
+  if (!arguments.slab_drop) return;
+  if (!spec->slab)
+    throw InputError(
+        fmt::format("learn: --slab-drop: a {} has no slab; name its edges in the specification", spec->name));
+  spec->slab->drop = *arguments.slab_drop;
+}
+
 TrainingModels Training(const TrainingSpec& spec, const LearnArguments& arguments) {
   if (arguments.family.empty()) return AnnotatedTrainingModels(spec, arguments.annotations);
   return FamilyTrainingModels(spec, {arguments.family, arguments.count, arguments.seed});
@@ -66,6 +77,7 @@ int RunLearn(const LearnArguments& arguments) {
   CheckArguments(arguments);
   TrainingSpec spec = LoadTrainingSpec(arguments.spec);
   if (arguments.modes > 0) spec.modes = arguments.modes;
+  SetAnnotationHabits(arguments, &spec.category);
   const TrainingModels models = Training(spec, arguments);
   const std::string source = arguments.source.empty() ? models.source : arguments.source;
 
@@ -106,6 +118,17 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
   learn->add_option("--count", a.count, "models drawn from the family")->capture_default_str();
   learn->add_option("--seed", a.seed, "seed of the family")->capture_default_str();
   learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)");
+  learn
+      ->add_option("--padding", a.padding,
+                   "how far the models reach beyond their edges, both sides along each axis, metres")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
+  learn
+      ->add_option("--slab-drop", a.slab_drop,
+                   "how far below the edges of a top or seat its near sides are seen, metres")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("METRES");
   learn->add_option("--held-out", a.held_out,
                     "also leave out every N-th model and report how well it is reconstructed");
   learn->add_option("--compare", a.compare.file,

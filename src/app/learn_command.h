@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/training_models.h"
 
@@ -18,9 +20,12 @@ struct LearnArguments {
   int count = 2000;            // models drawn from the family
   std::uint64_t seed = 1;      // of the family
   int modes = 0;               // 0: as the specification says
-  int held_out = 0;            // 0: no held-out check, otherwise every n-th model is left out
-  AnnotatedFile compare;       // another set, seen in the learnt modes
-  std::string compare_family;  // the same, of a family
+  std::vector<double>
+      padding;  // how these models reach beyond their edges, x y z in metres; empty: as specified
+  std::optional<double> slab_drop;  // SlabOutline::drop, metres; none: as specified
+  int held_out = 0;                 // 0: no held-out check, otherwise every n-th model is left out
+  AnnotatedFile compare;            // another set, seen in the learnt modes
+  std::string compare_family;       // the same, of a family
   std::string source;  // what the models are and their licence, written to the model; empty: from above
   std::filesystem::path out;  // model file to write; empty: none
   bool json = false;

@@ -137,6 +137,11 @@ std::string FacesText(const CategorySpec& spec) {
   return text;
 }
 
+std::string PaddingText(const Eigen::Vector3d& padding) {
+  if (padding == Eigen::Vector3d::Constant(padding.x())) return fmt::format("{}", padding.x());
+  return fmt::format("[{}, {}, {}]", padding.x(), padding.y(), padding.z());
+}
+
 }  // namespace
 
 std::vector<std::string> CategorySpecKeys() {
@@ -191,9 +196,9 @@ std::string CategorySpecText(const CategorySpec& spec) {
   std::string text = fmt::format("category: {}\nedges: [{}]\n", spec.name, fmt::join(spec.edge_names, ", "));
   text += fmt::format("base_edges: {}\n", EdgeList(spec, {base_a, base_b}));
   text += FacesText(spec);
-  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: [{}, {}, {}]\n", spec.symmetry_order,
-                      spec.stands_on_floor, spec.padding.x(), spec.padding.y(), spec.padding.z());
-  if (spec.slab)
+  text += fmt::format("symmetry_order: {}\nstands_on_floor: {}\npadding: {}\n", spec.symmetry_order,
+                      spec.stands_on_floor, PaddingText(spec.padding));
+  if (spec.slab && spec.slab->drop > 0)
     text +=
         fmt::format("slab:\n  edges: {}\n  drop: {}\n", EdgeList(spec, spec.slab->edges), spec.slab->drop);
   const bool length = spec.reference.measure == Measure::kLength;

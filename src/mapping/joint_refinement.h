@@ -20,7 +20,7 @@ namespace armature {
 struct RefinementOptions {
   int rounds = 10;                   // 0: none
   int iterations = 1;                // of the solver in each round
-  double first_gate_pixels = 24;     // distance gate of the first round's matches; their sigma goes with it
+  double first_gate_pixels = 16;     // distance gate of the first round's matches; their sigma goes with it
   double last_gate_pixels = 4;       // and of the last's
   double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first
   double gate_angle_deg = 6;         // degrees

@@ -180,6 +180,8 @@ void AddResectionOptions(ResectionOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(
       Option("resection.alternations", &o.alternations, "of pose and shape in mode alternating", 1, 100));
   t.push_back(Option("resection.segment_sigma", &o.segment_sigma, "of a segment's end, pixels", 0.01, 100));
+  t.push_back(Option("resection.leg_end_sigma", &o.leg_end_sigma,
+                     "of where a leg's segments end, in segment_sigma, for the map; 0: not used", 0, 100));
   t.push_back(Option("resection.full_length", &o.full_length,
                      "length from which a segment has full weight, pixels", 1, 10000));
   t.push_back(

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/rotation.h"
 #include "resection/resection_problem.h"
@@ -47,6 +48,57 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
       point.X0.y() -= edge.drop;
       problem.line_terms.push_back({point, line, weight / sigma, options.loss_scale, false});
     }
+  }
+}
+
+// Edges that stand on the floor with their second end.
+std::vector<int> Legs(const CategoryModel& model) {
+  if (!model.spec.stands_on_floor) return {};
+  constexpr double kFoot = 0.05;  // metres above the lowest end
+  const auto feet = [&](int edge) { return model.mean(6 * edge + 1) + 0.5 * model.mean(6 * edge + 4); };
+  double lowest = feet(0);
+  for (int edge = 1; edge < model.spec.edges(); ++edge) lowest = std::min(lowest, feet(edge));
+  std::vector<int> legs;
+  for (int edge = 0; edge < model.spec.edges(); ++edge) {
+    if (feet(edge) < lowest + kFoot && model.mean(6 * edge + 4) < 0) legs.push_back(edge);
+  }
+  return legs;
+}
+
+// Where segments on an edge end, of those that reach about as far as the edge does: the farthest of them.
+std::optional<Eigen::Vector2d> FarthestEnd(const std::vector<EdgeMatch>& matches, int index,
+                                           const ProjectedEdge& edge, double tolerance) {
+  std::optional<Eigen::Vector2d> farthest;
+  double reach = edge.length - tolerance;
+  for (const EdgeMatch& match : matches) {
+    if (match.edge != index) continue;
+    for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
+      const double along = edge.direction.dot(end - edge.line.p1);
+      if (along > edge.length + tolerance) return std::nullopt;  // it goes on: not this object's alone
+      if (along <= reach) continue;
+      reach = along;
+      farthest = end;
+    }
+  }
+  return farthest;
+}
+
+// A leg's segments end where the leg does. Lines alone say nothing of how long an edge is, and a leg's length
+// is what the metric scale comes from: a seat is 0.45 m above the floor. Segments that end early - many are
+// fragments - are outliers: the loss is narrow. Only for poses that are nearly right.
+void AddLegEnds(const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
+                const ResectionOptions& options, ResectionProblem& problem) {
+  constexpr double kLegEndLoss = 1;  // standard deviations
+  if (options.leg_end_sigma <= 0) return;
+  const double sigma = options.leg_end_sigma * options.segment_sigma;
+  for (const int leg : Legs(*problem.model)) {
+    const ProjectedEdge& edge = projected.edges[static_cast<size_t>(leg)];
+    if (edge.length <= 0 || edge.s2 < 0.5 - 1e-6) continue;  // its lower end is outside of the picture
+    const auto end = FarthestEnd(matches, leg, edge, 2 * sigma);
+    if (!end) continue;
+    const Eigen::Vector3d line(edge.direction.x(), edge.direction.y(), -edge.direction.dot(*end));
+    problem.line_terms.push_back(
+        {PointOnEdge(*problem.model, leg, 0.5), line, 1 / sigma, kLegEndLoss, false});
   }
 }
 
@@ -189,6 +241,7 @@ ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const st
   problem.normal_term = NormalTerm::kNone;
   problem.shape_weight = 0;
   AddMatches(matches, projected, options, problem);
+  AddLegEnds(matches, projected, options, problem);
   AddBox(view, sides, projected, box_options, options, problem);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
   x.tail(problem.Modes()) = at.coefficients;

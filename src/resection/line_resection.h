@@ -18,6 +18,8 @@ struct ResectionOptions {
   int max_iterations = 5;            // of the optimiser, each round
   int alternations = 5;              // of mode "alternating"
   double segment_sigma = 2.0;        // pixels: standard deviation of a segment's end from its edge
+  double leg_end_sigma = 1;          // of where a leg's segments end, in segment_sigma; 0: not used. Only
+                                     // EvidenceAt uses it
   double full_length = 60;           // pixels: a segment of this length has full weight, shorter ones less
   double loss_scale = 3.0;           // standard deviations, of the Geman-McClure loss on segments
   double box_weight = 1.0;           // multiplies the box's residuals; 0: none
