@@ -109,7 +109,7 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
 }  // namespace
 
 Generated GenerateCad(const fs::path& folder, const CollectionOptions& options,
-                 const std::vector<CadInstance>& collection) {
+                      const std::vector<CadInstance>& collection) {
   const std::string stamp = GenerationStamp(
       fmt::format("cad {} {} {} {}", options.chairs, options.tables, options.laptops, options.seed));
   if (HasStamp(folder, stamp)) return {folder, false};
@@ -121,8 +121,8 @@ Generated GenerateCad(const fs::path& folder, const CollectionOptions& options,
 }
 
 Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInstance>& collection,
-                      const fs::path& out, const SequenceOptions& options,
-                      const GenerationProgress& progress) {
+                           const fs::path& out, const SequenceOptions& options,
+                           const GenerationProgress& progress) {
   const Scene scene = ReadScene(scene_file, collection);
   const int frames = options.frames > 0 ? std::min(options.frames, scene.frames) : scene.frames;
   const std::string stamp = GenerationStamp(

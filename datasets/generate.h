@@ -18,7 +18,7 @@ struct Generated {
 
 // Writes the collection (cad/collection_files.h). Throws InputError when something else is at `folder`.
 Generated GenerateCad(const std::filesystem::path& folder, const CollectionOptions& options,
-                 const std::vector<CadInstance>& collection);
+                      const std::vector<CadInstance>& collection);
 
 struct SequenceOptions {
   int frames = 0;              // only the first so many of the path; 0: all
@@ -33,8 +33,8 @@ struct GenerationProgress {
   std::function<void(const std::string& name, int frames)> on_start = [](const std::string&, int) {};
   std::function<void()> on_frame = [] {};
 };
-Generated GenerateSequence(const std::filesystem::path& scene_file, const std::vector<CadInstance>& collection,
-                      const std::filesystem::path& out, const SequenceOptions& options,
-                      const GenerationProgress& progress);
+Generated GenerateSequence(const std::filesystem::path& scene_file,
+                           const std::vector<CadInstance>& collection, const std::filesystem::path& out,
+                           const SequenceOptions& options, const GenerationProgress& progress);
 
 }  // namespace armature

@@ -8,13 +8,13 @@
 namespace armature {
 namespace {
 
-struct Selection {
+struct CategoryCounts {
   int detections = 0;  // with truth
   MatchCounts counts;
 };
 
-Selection Select(const RunEvaluation& evaluation, const std::string& category) {
-  Selection s;
+CategoryCounts CountsOf(const RunEvaluation& evaluation, const std::string& category) {
+  CategoryCounts s;
   for (const EvaluatedDetection& d : evaluation.detections) {
     if (!category.empty() && d.category != category) continue;
     ++s.detections;
@@ -24,7 +24,7 @@ Selection Select(const RunEvaluation& evaluation, const std::string& category) {
 }
 
 std::vector<Cell> RowOf(const NamedEvaluation& run, const std::string& category) {
-  const auto& [detections, counts] = Select(run.evaluation, category);
+  const auto& [detections, counts] = CountsOf(run.evaluation, category);
   std::vector<Cell> row{TextCell(run.run), TextCell(category.empty() ? "all" : category)};
   row.push_back(CountCell(detections));
   row.push_back(CountCell(counts.matches));

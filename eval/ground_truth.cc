@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "eval/csv_pose.h"
+#include "eval/microseconds.h"
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/text.h"
@@ -15,8 +15,6 @@
 
 namespace armature {
 namespace {
-
-long long Microseconds(double timestamp) { return std::llround(timestamp * 1e6); }
 
 std::vector<TrueObject> ReadObjects(const std::filesystem::path& file) {
   const CsvTable table(file, {"id", "category", "instance", "tx", "ty", "tz", "qx", "qy", "qz", "qw",

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "eval/csv_pose.h"
+#include "eval/microseconds.h"
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/run_folder.h"
@@ -21,7 +21,7 @@ using Key = std::pair<long long, int>;
 
 const std::vector<std::string> kPose = {"tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
-Key KeyOf(double timestamp, int index) { return {std::llround(timestamp * 1e6), index}; }
+Key KeyOf(double timestamp, int index) { return {Microseconds(timestamp), index}; }
 
 void ReadSummary(const std::filesystem::path& file, RunIdentity& run) {
   const auto json = nlohmann::json::parse(ReadTextFile(file), nullptr, false);
@@ -75,8 +75,8 @@ void ReadAssociations(const std::filesystem::path& file, RunResults& run) {
 }  // namespace
 
 const RunObservation* RunResults::Find(double timestamp, int index) const {
-  const long long at = std::llround(timestamp * 1e6);
-  const long long tolerance = std::llround(kStampTolerance * 1e6);
+  const long long at = Microseconds(timestamp);
+  const long long tolerance = Microseconds(kStampTolerance);
   for (auto it = observations.lower_bound({at - tolerance, 0});
        it != observations.end() && it->first.first <= at + tolerance; ++it) {
     if (it->first.second == index) return &it->second;

@@ -4,17 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "eval/category_lookup.h"
+#include "eval/microseconds.h"
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
 
 namespace armature {
 namespace {
-
-long long Microseconds(double timestamp) { return std::llround(timestamp * 1e6); }
 
 double TrueStamp(const CsvRow& row, const GroundTruth& truth) {
   const double timestamp = row.Number("timestamp");

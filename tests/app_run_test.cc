@@ -10,13 +10,14 @@
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/csv.h"
-#include "support/program.h"
+#include "support/small_scene.h"
 #include "support/tiny_sequence.h"
 
 namespace armature {
 namespace {
 
 using testing::AllFiles;
+using testing::GenerateSmallScene;
 using testing::ProgramResult;
 using testing::ReadFile;
 using testing::RunOk;
@@ -73,7 +74,7 @@ std::map<std::string, Errors> ErrorsOf(const std::filesystem::path& run,
 TEST(AppRun, FindsTheFurnitureOfTheSample) {
   const TempFolder folder;
   const std::string sequence = folder / "sample", run = folder / "run";
-  RunOk({"generate", "--only", "sample", "--without-cad", "--out", folder.path()});
+  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "8", "--out", folder.path()});
   const ProgramResult result = RunOk({"run", sequence, "--out", run});
   EXPECT_EQ(AllFiles(run), kRunFiles);
   EXPECT_NE(result.out.find(run), std::string::npos) << result.out;
@@ -81,11 +82,11 @@ TEST(AppRun, FindsTheFurnitureOfTheSample) {
 
   const auto summary = nlohmann::json::parse(ReadFile(folder / "run/summary.json"));
   EXPECT_EQ(summary["sequence"], "sample");
-  EXPECT_EQ(summary["counts"]["frames"], 24);
+  EXPECT_EQ(summary["counts"]["frames"], 8);
   EXPECT_GT(summary["stages_ms"]["load"]["median"], 0);
 
   const std::map<std::string, Errors> errors = ErrorsOf(run, sequence);
-  for (const auto& [category, least] : {std::pair{"chair", 50u}, {"table", 15u}, {"laptop", 15u}}) {
+  for (const auto& [category, least] : {std::pair{"chair", 18u}, {"table", 6u}, {"laptop", 6u}}) {
     const Errors& e = errors.at(category);
     EXPECT_GE(e.azimuth_deg.size(), least) << category;
     EXPECT_LT(Middle(e.azimuth_deg), 10) << category;
@@ -95,24 +96,25 @@ TEST(AppRun, FindsTheFurnitureOfTheSample) {
 
 TEST(AppRun, SameInputGivesTheSameBytes) {
   const TempFolder folder;
-  const std::string sequence = folder / "sample";
-  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "4", "--out", folder.path()});
+  const std::string sequence = folder / "out/den";
+  GenerateSmallScene(folder, 4);
   RunOk({"run", sequence, "--out", folder / "a"});
   RunOk({"run", sequence, "--out", folder / "b"});
   RunOk({"run", sequence, "--out", folder / "b"});  // a finished run may be replaced
   for (const std::string file : {"observations.csv", "associations.csv", "config.yaml", "trajectory.txt"}) {
     EXPECT_EQ(ReadFile(folder / "a" / file), ReadFile(folder / "b" / file)) << file;
   }
+  EXPECT_GT(CsvTable(folder / "a/associations.csv", {"timestamp"}).rows().size(), 20u);
 }
 
 TEST(AppRun, DrawsOverlaysOfTheFirstFrames) {
   const TempFolder folder;
-  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "4", "--out", folder.path()});
-  RunOk({"run", folder / "sample", "--out", folder / "run", "--frames", "2", "--overlays"});
+  GenerateSmallScene(folder, 3);
+  RunOk({"run", folder / "out/den", "--out", folder / "run", "--frames", "2", "--overlays"});
   Files expected = kRunFiles;
   expected.insert({"overlays", "overlays/000000.jpg", "overlays/000001.jpg"});
   EXPECT_EQ(AllFiles(folder / "run"), expected);
-  EXPECT_EQ(cv::imread(folder / "run/overlays/000001.jpg").size(), cv::Size(640, 480));
+  EXPECT_EQ(cv::imread(folder / "run/overlays/000001.jpg").size(), cv::Size(160, 120));
 }
 
 TEST(AppRun, RunsSeveralSequencesIntoFoldersOfTheirNames) {

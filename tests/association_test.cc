@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "association/box_constraints.h"
 #include "association/hypotheses.h"
 #include "association/hypothesis_cost.h"
 #include "association/line_seeds.h"
@@ -124,6 +125,18 @@ TEST(BoxConstraints, SidesAtTheBorderAreOpen) {
   EXPECT_EQ(sides[1], BoxSide::kSeen);
   EXPECT_EQ(sides[2], BoxSide::kSeen);
   EXPECT_EQ(sides[3], BoxSide::kOpen);
+}
+
+TEST(BoxConstraints, PaddingIsTurnedWithTheObject) {
+  const Eigen::Matrix3d oblique = ExpSO3({0.4, -1.1, 0.7}), quarter_turn = ExpSO3({0, 90 * kDegree, 0});
+  CategorySpec spec;
+  spec.padding = Eigen::Vector3d::Constant(0.02);
+  EXPECT_TRUE(ImagePadding(spec, oblique).isApprox(Eigen::Vector2d(0.02, 0.02)));
+  spec.padding = Eigen::Vector3d(0.03, 0.02, 0.01);
+  EXPECT_TRUE(ImagePadding(spec, Eigen::Matrix3d::Identity()).isApprox(Eigen::Vector2d(0.03, 0.02)));
+  EXPECT_TRUE(ImagePadding(spec, quarter_turn).isApprox(Eigen::Vector2d(0.01, 0.02)));
+  // Half way the image's x is along (x + z) / sqrt(2).
+  EXPECT_NEAR(ImagePadding(spec, ExpSO3({0, 45 * kDegree, 0})).x(), std::sqrt((0.0009 + 0.0001) / 2), 1e-12);
 }
 
 TEST(BoxConstraints, TheTranslationIsRecoveredFromAWholeBox) {

@@ -60,11 +60,36 @@ TEST(CategoryYaml, DirectoriesWithoutOrWithTwoModelsOfACategoryAreRefused) {
   ExpectInputError([&] { LoadCategories(folder.path()); }, {"b.yaml", "'table'"});
 }
 
-TEST(CategoryYaml, WritingIntoNowhereIsAnError) {
+TEST(CategoryYaml, WritingCreatesTheFoldersAroundTheFile) {
   const CategoryModel model = LoadCategory(CategoryFolder() / "table.yaml");
   const TempFolder folder;
-  ExpectInputError([&] { WriteCategory(model, folder / "absent" / "table.yaml"); },
-                   {"table.yaml", "directory"});
+  const auto file = folder / "new/models/table.yaml";
+  WriteCategory(model, file);
+  EXPECT_EQ(ReadFile(file), CategoryText(model));
+}
+
+TEST(CategoryYaml, WritingWhereAFileIsInTheWayIsAnError) {
+  const CategoryModel model = LoadCategory(CategoryFolder() / "table.yaml");
+  const TempFolder folder;
+  folder.Write("notes", "no folder");
+  ExpectInputError([&] { WriteCategory(model, folder / "notes/table.yaml"); },
+                   {"notes/table.yaml", "folder"});
+}
+
+TEST(CategoryYaml, PaddingIsOneLengthOrOneForEachAxis) {
+  const TempFolder folder;
+  const auto padding = [&](const std::string& value) {
+    std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
+    const size_t at = text.find("\npadding:");
+    text.replace(at, text.find('\n', at + 1) - at, value.empty() ? "" : "\npadding: " + value);
+    return LoadCategorySpec(folder.Write("spec.yaml", text)).padding;
+  };
+  EXPECT_EQ(padding("0.02"), Eigen::Vector3d(0.02, 0.02, 0.02));
+  EXPECT_EQ(padding("[0.01, 0.02, 0]"), Eigen::Vector3d(0.01, 0.02, 0));
+  EXPECT_EQ(padding(""), Eigen::Vector3d(0, 0, 0));
+  for (const char* bad : {"[0.01, 0.02]", "[0.01, 0.02, 0, 0]", "[]"})
+    ExpectInputError([&] { padding(bad); }, {"spec.yaml:20", "padding", "[x, y, z]"});
+  ExpectInputError([&] { padding("[0.01, wide, 0]"); }, {"spec.yaml:20", "padding", "wide"});
 }
 
 // Reads the shipped file with the first occurrence of `from` replaced.

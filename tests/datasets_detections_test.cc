@@ -14,15 +14,15 @@
 namespace armature {
 namespace {
 
-constexpr DetectionNoise kExact{.box = 0,
-                                .missed = 0,
-                                .false_alarms = 0,
-                                .min_visible = 0.3,
-                                .min_size_px = 20,
-                                .azimuth_deg = 0,
-                                .elevation_deg = 0,
-                                .tilt_deg = 0,
-                                .turned = 0};
+constexpr DetectionNoise kExactDetections{.box = 0,
+                                          .missed = 0,
+                                          .false_alarms = 0,
+                                          .min_visible = 0.3,
+                                          .min_size_px = 20,
+                                          .azimuth_deg = 0,
+                                          .elevation_deg = 0,
+                                          .tilt_deg = 0,
+                                          .turned = 0};
 const Camera kCamera{640, 480, 500, 500, 319.5, 239.5};
 const Eigen::Isometry3d kCameraPose = Eigen::Isometry3d::Identity();  // x right, y down, z forward
 
@@ -45,7 +45,7 @@ std::vector<SimulatedDetection> Detected(const std::vector<VisibleObject>& visib
 }
 
 TEST(SimulatedDetections, WithoutNoiseAreTheTruth) {
-  const auto found = Detected({Visible(1, 0.9)}, kExact);
+  const auto found = Detected({Visible(1, 0.9)}, kExactDetections);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].id, "a");
   EXPECT_EQ(found[0].detection.category, "chair");
@@ -57,14 +57,14 @@ TEST(SimulatedDetections, WithoutNoiseAreTheTruth) {
 }
 
 TEST(SimulatedDetections, LeaveOutWhatIsHardlySeen) {
-  EXPECT_TRUE(Detected({Visible(1, 0.29)}, kExact).empty());
+  EXPECT_TRUE(Detected({Visible(1, 0.29)}, kExactDetections).empty());
   VisibleObject small = Visible(1, 1);
   small.box.width = small.box.height = 19;
-  EXPECT_TRUE(Detected({small}, kExact).empty());
+  EXPECT_TRUE(Detected({small}, kExactDetections).empty());
 }
 
 TEST(SimulatedDetections, AreSortedByScoreSoThatTheirOrderTellsNothing) {
-  DetectionNoise noise = kExact;
+  DetectionNoise noise = kExactDetections;
   noise.false_alarms = 2;
   const auto found = Detected({Visible(1, 0.4), Visible(2, 1)}, noise);
   ASSERT_EQ(found.size(), 4U);
@@ -115,7 +115,7 @@ Statistics Many(const DetectionNoise& noise) {
 }
 
 TEST(SimulatedDetections, AreWrongAsOftenAndAsMuchAsAsked) {
-  DetectionNoise noise = kExact;
+  DetectionNoise noise = kExactDetections;
   noise.box = 0.02;
   noise.missed = 0.1;
   noise.false_alarms = 0.3;

@@ -11,7 +11,7 @@
 namespace armature {
 namespace {
 
-constexpr OdometryNoise kExact{
+constexpr OdometryNoise kExactOdometry{
     .scale = 1, .scale_drift = 0, .heading_drift_deg = 0, .translation_noise = 0, .rotation_noise_deg = 0};
 
 // A level camera at 1.4 m that looks along the world's x and flies along y, a metre a frame.
@@ -32,13 +32,13 @@ double Length(const std::vector<Eigen::Isometry3d>& poses, size_t i) {
 
 TEST(SimulatedOdometry, WithoutNoiseIsTheTruthSeenFromTheFirstCamera) {
   const auto truth = StraightFlight(5);
-  const auto odometry = SimulateOdometry(truth, kExact, 1);
+  const auto odometry = SimulateOdometry(truth, kExactOdometry, 1);
   for (size_t i = 0; i < truth.size(); ++i)
     EXPECT_TRUE(odometry[i].isApprox(truth.front().inverse() * truth[i], 1e-12)) << i;
 }
 
 TEST(SimulatedOdometry, ScaleDriftsFromTheFirstMotionToTheLast) {
-  OdometryNoise noise = kExact;
+  OdometryNoise noise = kExactOdometry;
   noise.scale = 0.4;
   noise.scale_drift = 0.21;
   const auto odometry = SimulateOdometry(StraightFlight(4), noise, 1);
@@ -48,7 +48,7 @@ TEST(SimulatedOdometry, ScaleDriftsFromTheFirstMotionToTheLast) {
 }
 
 TEST(SimulatedOdometry, HeadingDriftsAboutTheVerticalAlone) {
-  OdometryNoise noise = kExact;
+  OdometryNoise noise = kExactOdometry;
   noise.heading_drift_deg = 6;
   const auto truth = StraightFlight(31);
   const auto odometry = SimulateOdometry(truth, noise, 1);
@@ -62,7 +62,7 @@ TEST(SimulatedOdometry, HeadingDriftsAboutTheVerticalAlone) {
 }
 
 TEST(SimulatedOdometry, NoiseHasItsSigmas) {
-  OdometryNoise noise = kExact;
+  OdometryNoise noise = kExactOdometry;
   noise.translation_noise = 0.02;
   noise.rotation_noise_deg = 0.1;
   const auto truth = StraightFlight(2001);

@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-const Camera kCamera{640, 480, 500, 500, 319.5, 239.5};
+const Camera kEdgeCamera{640, 480, 500, 500, 319.5, 239.5};
 
 // One edge from (-0.5, 0, 2) to (0.5, 0, 2), seen from the origin.
 Wireframe OneEdge() {
@@ -25,7 +25,7 @@ PlacedMesh Board(double left, double right, double near, int object) {
   return board;
 }
 
-std::vector<TrueEdge> Edges(std::vector<PlacedMesh> meshes, const Camera& camera = kCamera) {
+std::vector<TrueEdge> Edges(std::vector<PlacedMesh> meshes, const Camera& camera = kEdgeCamera) {
   return TrueEdges(RayScene(std::move(meshes)), 1, OneEdge(), Eigen::Isometry3d::Identity(), camera,
                    Eigen::Isometry3d::Identity());
 }
@@ -52,7 +52,7 @@ TEST(TrueEdges, LieWithinTheirObjectButNotBehindIt) {
 }
 
 TEST(TrueEdges, OnlyThePartInTheImageCounts) {
-  Camera narrow = kCamera;
+  Camera narrow = kEdgeCamera;
   narrow.cx = 0;
   const auto edges = Edges({Board(0.1, 1, 1.5, 0)}, narrow);
   ASSERT_EQ(edges.size(), 1U);

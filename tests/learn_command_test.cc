@@ -54,6 +54,13 @@ TEST(LearnCommand, LearnsTheShippedTableAgain) {
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
 }
 
+TEST(LearnCommand, WritesIntoAFolderThatDoesNotExistYet) {
+  const TempFolder folder;
+  const auto file = folder / "my/categories/laptop.yaml";
+  Learn(Spec("laptop") + " --family laptop --count 20 --out " + file.string());
+  EXPECT_EQ(LoadCategory(file).training_models, 20);
+}
+
 TEST(LearnCommand, SameSeedSameBytesOtherSeedOthers) {
   const TempFolder folder;
   const std::string start = Spec("laptop") + " --family laptop --count 50 --out " + folder.path().string();

@@ -81,7 +81,8 @@ int RunGenerate(const GenerateArguments& arguments) {
   const std::vector<fs::path> scenes = ScenesToMake(arguments);
   const CollectionOptions collection_options;
   const std::vector<CadInstance> collection = DrawCollection(collection_options);
-  for (const fs::path& scene : scenes) ReadScene(scene, collection);  // all have to be right before anything is written
+  for (const fs::path& scene : scenes)
+    ReadScene(scene, collection);  // all have to be right before anything is written
   CatchInterrupts();
   if (!arguments.without_cad) {
     Say(GenerateCad(arguments.out / "cad", collection_options, collection), "annotated CAD models");

@@ -26,7 +26,7 @@ struct Placed {
   size_t edges = 0, all_edges = 0;  // matched, of the category
 };
 
-const CategoryModel& ModelOf(const std::vector<CategoryModel>& models, const std::string& category) {
+const CategoryModel& CategoryNamed(const std::vector<CategoryModel>& models, const std::string& category) {
   for (const CategoryModel& model : models) {
     if (model.spec.name == category) return model;
   }
@@ -106,7 +106,7 @@ std::string PhotoReportText(const FrameResult& frame, const std::vector<Category
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const ObjectObservation& observation = frame.observations[i];
     table.rows.push_back(
-        Row(i, observation, Measure(observation, ModelOf(models, observation.detection.category))));
+        Row(i, observation, Measure(observation, CategoryNamed(models, observation.detection.category))));
   }
   table.notes = {
       "azimuth, elevation: of the camera seen from the object, 0 in front of it; size: width x height x "
@@ -120,7 +120,7 @@ std::string PhotoReportJson(const FrameResult& frame, const std::vector<Category
   Json objects = Json::array();
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const ObjectObservation& observation = frame.observations[i];
-    const Placed placed = Measure(observation, ModelOf(models, observation.detection.category));
+    const Placed placed = Measure(observation, CategoryNamed(models, observation.detection.category));
     objects.push_back(ObjectJson(i, observation, placed));
   }
   Json json;

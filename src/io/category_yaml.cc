@@ -200,16 +200,17 @@ std::string CategoryText(const CategoryModel& model) {
 }
 
 void WriteCategory(const CategoryModel& model, const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
   std::filesystem::path aside = file;
   aside += ".partial";
   std::ofstream stream(aside, std::ios::binary);
   stream << CategoryText(model);
   stream.close();
-  std::error_code error;
   if (stream) std::filesystem::rename(aside, file, error);
   if (!stream || error) {
-    throw InputError(fmt::format("{}: cannot be written; does its directory exist and may it be written to?",
-                                 file.string()));
+    throw InputError(
+        fmt::format("{}: cannot be written; choose a folder that may be written", file.string()));
   }
 }
 

@@ -31,7 +31,8 @@ std::vector<CategoryModel> LoadCategories(const std::filesystem::path& directory
 // read.
 std::string CategoryText(const CategoryModel& model);
 
-// Writes CategoryText aside and renames it. Throws InputError when the file cannot be written.
+// Writes CategoryText aside and renames it; creates the folders around the file. Throws InputError when the
+// file cannot be written.
 void WriteCategory(const CategoryModel& model, const std::filesystem::path& file);
 
 }  // namespace armature

@@ -19,6 +19,7 @@
 #include "io/category_yaml.h"
 #include "mapping/map_frame.h"
 #include "support/category_examples.h"
+#include "support/padded_box.h"
 
 namespace armature::testing {
 
@@ -160,7 +161,7 @@ class MapWorld {
     ProjectedWireframe projected;
     ProjectWireframe(camera, model.spec, WireframeFromCoefficients(model, truth.coefficients),
                      truth.T_camera_object, Image(), OccludersOf(camera_index, object), projected);
-    ObjectView view = ViewOf(model, projected, UpAt(camera_index));
+    ObjectView view = ViewOf(model, projected, truth.T_camera_object.linear(), UpAt(camera_index));
     std::normal_distribution<double> normal;
     std::vector<EdgeMatch> matches;
     for (int edge = 0; edge < model.spec.edges(); ++edge) {
@@ -202,18 +203,13 @@ class MapWorld {
 
   // With the box around the projection, without segments.
   ObjectView ViewOf(const CategoryModel& model, const ProjectedWireframe& projected,
-                    const Eigen::Vector3d& up_camera) const {
+                    const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& up_camera) const {
     ObjectView view;
     view.camera = &camera;
     view.model = &model;
     view.up_camera = up_camera;
-    const std::array<ExtremePoint, 4> extremes = Extremes(projected);
-    std::array<double, 4> at{};
-    for (size_t side = 0; side < 4; ++side) {
-      at[side] = extremes[side].pixel + (side < 2 ? -1 : 1) * PaddingPixels(extremes[side], view);
-    }
     view.detection.category = model.spec.name;
-    view.detection.box = Intersection({at[0], at[1], at[2] - at[0], at[3] - at[1]}, Image());
+    view.detection.box = Intersection(PaddedBox(camera, model.spec, projected, R_camera_object), Image());
     view.sides = SidesAtImageBorder(view.detection.box, camera, BoxOptions{}.cut_tolerance);
     return view;
   }

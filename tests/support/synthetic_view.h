@@ -10,6 +10,7 @@
 #include "geometry/viewpoint.h"
 #include "io/category_yaml.h"
 #include "support/category_examples.h"
+#include "support/padded_box.h"
 
 namespace armature::testing {
 
@@ -38,13 +39,8 @@ struct SyntheticView {
     for (const ProjectedEdge& edge : projected.edges) {
       if (edge.length > 15 && edge.visible_share > 0.5) view.segments.push_back(edge.line);
     }
-    const std::array<ExtremePoint, 4> extremes = Extremes(projected);
-    std::array<double, 4> at{};
-    for (size_t side = 0; side < 4; ++side) {
-      at[side] = extremes[side].pixel + (side < 2 ? -1 : 1) * PaddingPixels(extremes[side], view);
-    }
     view.detection.category = category;
-    view.detection.box = {at[0], at[1], at[2] - at[0], at[3] - at[1]};
+    view.detection.box = PaddedBox(camera, model.spec, projected, truth.T_camera_object.linear());
     view.detection.azimuth = azimuth;
     view.sides = SidesAtImageBorder(view.detection.box, camera, 0.06);
   }
