@@ -3,16 +3,17 @@
 # What if something is changed or left out: runs the presets paper and default and every file of configs/ablations on
 # the sequences, then prints one table of all of them for each sequence.
 #
-#   scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]... [--tables NAMES]
+#   scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--categories DIR] [--only NAME]... [--tables NAMES]
 #
 # --out   a folder a configuration, DIR/NAME; the tables: DIR/ablation.md, their rows: DIR/detections.csv
 # --cad   annotated CAD models, to judge matches
+# --categories  category models to use (default: configs/categories)
 # --only  this configuration (paper, default or a file's name without .yaml); may be repeated
 # --tables  of `armature eval`, joined by commas (default: observations,trajectory,objects,normal,paper)
 set -euo pipefail
 
 usage() {
-  echo "ablation.sh: $1; usage: scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--only NAME]... [--tables NAMES]" >&2
+  echo "ablation.sh: $1; usage: scripts/ablation.sh SEQUENCE... --out DIR [--cad DIR] [--categories DIR] [--only NAME]... [--tables NAMES]" >&2
   exit 2
 }
 
@@ -22,14 +23,16 @@ sequences=()
 only=()
 out=""
 cad=()
+categories=()
 tables=observations,trajectory,objects,normal,paper
 while (($#)); do
   case "$1" in
-    --out | --cad | --only | --tables)
+    --out | --cad | --categories | --only | --tables)
       (($# > 1)) || usage "$1 needs a value"
       case "$1" in
         --out) out="$2" ;;
         --cad) cad=(--cad "$2") ;;
+        --categories) categories=(--categories "$2") ;;
         --only) only+=("$2") ;;
         --tables) tables="$2" ;;
       esac
@@ -63,11 +66,11 @@ for name in "${names[@]}"; do
     *) arguments=(--config "$root/configs/ablations/$name.yaml") ;;
   esac
   echo "ablation.sh: $name" >&2
-  "$program" run "${sequences[@]}" --out "$out/$name" "${arguments[@]}" >/dev/null
+  "$program" run "${sequences[@]}" --out "$out/$name" "${arguments[@]}" "${categories[@]}" >/dev/null
   runs+=("$out/$name")
 done
 
-"$program" eval "${runs[@]}" "${cad[@]}" --tables "$tables" --raw "$out/detections.csv" --format markdown >"$out/ablation.md"
-"$program" eval "${runs[@]}" "${cad[@]}" --tables "$tables"
+"$program" eval "${runs[@]}" "${cad[@]}" "${categories[@]}" --tables "$tables" --raw "$out/detections.csv" --format markdown >"$out/ablation.md"
+"$program" eval "${runs[@]}" "${cad[@]}" "${categories[@]}" --tables "$tables"
 echo
 echo "Runs: $out/NAME; tables: $out/ablation.md; a row a detection: $out/detections.csv"

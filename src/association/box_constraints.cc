@@ -100,6 +100,8 @@ std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double 
 }
 
 Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_camera_object) {
+  const double radius = spec.padding.x();
+  if (spec.padding == Eigen::Vector3d::Constant(radius)) return Eigen::Vector2d::Constant(radius);  // a ball
   return (R_camera_object.topRows<2>().cwiseAbs2() * spec.padding.cwiseAbs2()).cwiseSqrt();
 }
 
