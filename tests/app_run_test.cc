@@ -74,7 +74,7 @@ std::map<std::string, Errors> ErrorsOf(const std::filesystem::path& run,
 TEST(AppRun, FindsTheFurnitureOfTheSample) {
   const TempFolder folder;
   const std::string sequence = folder / "sample", run = folder / "run";
-  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "8", "--out", folder.path()});
+  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "6", "--out", folder.path()});
   const ProgramResult result = RunOk({"run", sequence, "--out", run});
   EXPECT_EQ(AllFiles(run), kRunFiles);
   EXPECT_NE(result.out.find(run), std::string::npos) << result.out;
@@ -82,11 +82,11 @@ TEST(AppRun, FindsTheFurnitureOfTheSample) {
 
   const auto summary = nlohmann::json::parse(ReadFile(folder / "run/summary.json"));
   EXPECT_EQ(summary["sequence"], "sample");
-  EXPECT_EQ(summary["counts"]["frames"], 8);
+  EXPECT_EQ(summary["counts"]["frames"], 6);
   EXPECT_GT(summary["stages_ms"]["load"]["median"], 0);
 
   const std::map<std::string, Errors> errors = ErrorsOf(run, sequence);
-  for (const auto& [category, least] : {std::pair{"chair", 18u}, {"table", 6u}, {"laptop", 6u}}) {
+  for (const auto& [category, least] : {std::pair{"chair", 13u}, {"table", 5u}, {"laptop", 5u}}) {
     const Errors& e = errors.at(category);
     EXPECT_GE(e.azimuth_deg.size(), least) << category;
     EXPECT_LT(Middle(e.azimuth_deg), 10) << category;
