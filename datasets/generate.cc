@@ -82,6 +82,17 @@ cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
   return Develop(picture.radiance, scene.effects, MixedSeed(scene.seed, kEffects), index);
 }
 
+// The exception that the work ended with, none if it went well. No exception may leave a parallel region.
+template <typename Work>
+std::exception_ptr Tried(const Work& work) {
+  try {
+    work();
+    return nullptr;
+  } catch (...) {
+    return std::current_exception();
+  }
+}
+
 // All pictures, by all threads; the first exception ends the work.
 void PhotographAll(const Studio& studio, const fs::path& folder, const GenerationProgress& progress,
                    GeneratedSequence* sequence) {
@@ -93,14 +104,14 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
 #pragma omp critical(generate)
     is_over = failure != nullptr;
     if (is_over) continue;
-    try {
+    std::exception_ptr failed = Tried([&] {
       const cv::Mat3b image = Photograph(studio, i, &sequence->frames[static_cast<size_t>(i)]);
       WritePicture(folder / ImageName(i), image);
+    });
 #pragma omp critical(generate)
-      progress.on_frame();
-    } catch (...) {
-#pragma omp critical(generate)
-      failure = std::current_exception();
+    {
+      if (!failed) failed = Tried(progress.on_frame);
+      if (!failure) failure = failed;
     }
   }
   if (failure) std::rethrow_exception(failure);
