@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Categories, FamilyAgreement,
                                                      "shapeassembly_table", 6, 0.3, 0.65, 0.002},
                                            Agreement{"laptop", "modelnet40_laptop_autokp6.csv",
                                                      "modelnet_laptop", 3, 0.6, 0.65, 0.002}),
-                         [](const auto& agreement) { return agreement.param.category; });
+                         [](const auto& tested) { return tested.param.category; });
 
 }  // namespace
 }  // namespace armature

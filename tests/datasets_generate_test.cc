@@ -21,7 +21,7 @@ struct Stopped : std::runtime_error {
 TEST(GenerateSequence, AStopOnTheWayIsPassedOnAndLeavesNothing) {
   const TempFolder folder;
   const std::string scene = folder.Write("den.yaml", testing::kSmallScene);
-  const std::vector<CadInstance> collection = DrawCollection({.chairs = 10, .tables = 40, .laptops = 10});
+  const std::vector<CadInstance> collection = DrawCollection({});
   int frames = 0;
   const GenerationProgress progress{[](const std::string&, int) {},
                                     [&] {
