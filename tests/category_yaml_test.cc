@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "io/category_spec_yaml.h"
 #include "support/category_examples.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
@@ -87,9 +88,29 @@ TEST(CategoryYaml, PaddingIsOneLengthOrOneForEachAxis) {
   EXPECT_EQ(padding("0.02"), Eigen::Vector3d(0.02, 0.02, 0.02));
   EXPECT_EQ(padding("[0.01, 0.02, 0]"), Eigen::Vector3d(0.01, 0.02, 0));
   EXPECT_EQ(padding(""), Eigen::Vector3d(0, 0, 0));
-  for (const char* bad : {"[0.01, 0.02]", "[0.01, 0.02, 0, 0]", "[]"})
+  for (const char* bad : {"[0.01, 0.02]", "[0.01, 0.02, 0, 0]", "[]", "-0.01", "[0.01, -0.02, 0]"})
     ExpectInputError([&] { padding(bad); }, {"spec.yaml:20", "padding", "[x, y, z]"});
   ExpectInputError([&] { padding("[0.01, wide, 0]"); }, {"spec.yaml:20", "padding", "wide"});
+}
+
+TEST(CategoryYaml, ASlabIsReadAndWrittenWhereItIsUsed) {
+  const TempFolder folder;
+  const auto spec = [&](const std::string& from, const std::string& to) {
+    std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
+    text.replace(text.find(from), from.size(), to);
+    return LoadCategorySpec(folder.Write("spec.yaml", text));
+  };
+  const CategorySpec table = spec("drop: 0", "drop: 0.02");
+  ASSERT_TRUE(table.slab);
+  EXPECT_EQ(table.slab->edges, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(table.slab->drop, 0.02);
+  EXPECT_NE(CategorySpecText(table).find("drop: 0.02"), std::string::npos);
+  EXPECT_EQ(CategorySpecText(spec("drop: 0", "drop: 0")).find("slab"), std::string::npos);
+  ExpectInputError([&] { spec("drop: 0", "drop: -0.02"); }, {"spec.yaml", "slab.drop", "at least 0"});
+  ExpectInputError(
+      [&] { spec("[top_rear, top_right, top_front, top_left]\n  drop", "[top_rear, top_right]\n  drop"); },
+      {"spec.yaml", "slab.edges", "at least 3"});
+  ExpectInputError([&] { spec("top_left]\n  drop", "top_lift]\n  drop"); }, {"spec.yaml", "top_lift"});
 }
 
 // Reads the shipped file with the first occurrence of `from` replaced.

@@ -361,7 +361,8 @@ TEST_P(SolveMapLoops, NoChairIsTakenForItsNeighbour) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Chairs, SolveMapLoops,
-                         ::testing::Values(Loop{0.7, 0, true}, Loop{0.7, 180, true}, Loop{1.2, 0, true}));
+                         ::testing::Values(Loop{0.7, 0, true}, Loop{0.7, 180, true}, Loop{1.2, 0, true}),
+                         [](const auto& loop) { return std::to_string(loop.index); });
 
 // --- By odometry alone
 

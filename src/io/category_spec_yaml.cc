@@ -92,10 +92,12 @@ MetricReference ReadReference(const YamlMap& map, const std::vector<std::string>
 
 // One number for all axes, or one for each.
 Eigen::Vector3d ReadPadding(const YamlMap& root) {
-  if (!root.IsList("padding")) return Eigen::Vector3d::Constant(root.Number("padding"));
-  const std::vector<double> values = root.Numbers("padding");
-  if (values.size() != 3)
-    throw InputError(root.At("padding", "has to be one length or [x, y, z], in metres"));
+  const bool is_list = root.IsList("padding");
+  const std::vector<double> values =
+      is_list ? root.Numbers("padding") : std::vector<double>(3, root.Number("padding"));
+  const bool is_negative = std::any_of(values.begin(), values.end(), [](double v) { return v < 0; });
+  if (values.size() != 3 || is_negative)
+    throw InputError(root.At("padding", "has to be one length or [x, y, z], in metres, not below 0"));
   return {values[0], values[1], values[2]};
 }
 
