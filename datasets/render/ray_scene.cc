@@ -18,6 +18,9 @@ using Eigen::Vector3d;
 constexpr double kClearance = 1e-3;  // metres around the ends of a segment that may be blocked
 constexpr int kPacket = 8;           // rays that are followed at once
 
+// How many rays a packet takes of those that are left.
+int LanesLeft(size_t rays) { return static_cast<int>(std::min<size_t>(kPacket, rays)); }
+
 // Embree fails only if it is used wrongly or memory runs out.
 void AbortOnError(void*, RTCError code, const char* text) {
   if (code == RTC_ERROR_NONE) return;
@@ -163,20 +166,20 @@ void RayScene::Nearest(const Vector3d& origin, std::span<const Vector3d> directi
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  const int count = static_cast<int>(directions.size());
-  for (int first = 0; first < count; first += kPacket) {
+  const size_t count = directions.size();
+  for (size_t first = 0; first < count; first += kPacket) {
     alignas(32) RTCRayHit8 query;
     alignas(32) int valid[kPacket] = {};
-    for (int lane = 0; lane < std::min(kPacket, count - first); ++lane) {
+    for (int lane = 0; lane < LanesLeft(count - first); ++lane) {
       valid[lane] = -1;
-      SetRay(lane, origin, directions[static_cast<size_t>(first + lane)], 0,
+      SetRay(lane, origin, directions[first + static_cast<size_t>(lane)], 0,
              std::numeric_limits<double>::infinity(), &query.ray);
       query.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       query.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect8(valid, implementation_->everything, &context, &query);
-    for (int lane = 0; lane < std::min(kPacket, count - first); ++lane) {
-      hits[static_cast<size_t>(first + lane)] =
+    for (int lane = 0; lane < LanesLeft(count - first); ++lane) {
+      hits[first + static_cast<size_t>(lane)] =
           implementation_->Hit(query.hit.geomID[lane], query.hit.primID[lane], query.ray.tfar[lane],
                                query.hit.u[lane], query.hit.v[lane]);
     }
@@ -199,19 +202,19 @@ void RayScene::AreBlocked(const Vector3d& a, std::span<const Vector3d> b, std::s
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  const int count = static_cast<int>(b.size());
-  for (int first = 0; first < count; first += kPacket) {
+  const size_t count = b.size();
+  for (size_t first = 0; first < count; first += kPacket) {
     alignas(32) RTCRay8 ray;
     alignas(32) int valid[kPacket] = {};
-    for (int lane = 0; lane < std::min(kPacket, count - first); ++lane) {
-      const Vector3d ab = b[static_cast<size_t>(first + lane)] - a;
+    for (int lane = 0; lane < LanesLeft(count - first); ++lane) {
+      const Vector3d ab = b[first + static_cast<size_t>(lane)] - a;
       const double length = ab.norm();
       valid[lane] = length > 2 * kClearance ? -1 : 0;
       SetRay(lane, a, ab / length, kClearance, length - kClearance, &ray);
     }
     rtcOccluded8(valid, implementation_->everything, &context, &ray);
-    for (int lane = 0; lane < std::min(kPacket, count - first); ++lane) {
-      blocked[static_cast<size_t>(first + lane)] = valid[lane] != 0 && ray.tfar[lane] < 0;
+    for (int lane = 0; lane < LanesLeft(count - first); ++lane) {
+      blocked[first + static_cast<size_t>(lane)] = valid[lane] != 0 && ray.tfar[lane] < 0;
     }
   }
 }

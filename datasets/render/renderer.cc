@@ -109,8 +109,9 @@ Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_
   Picture picture{cv::Mat3f(camera.height, camera.width), cv::Mat1i(camera.height, camera.width)};
   for (int y = 0; y < camera.height; ++y) {
     for (size_t i = 0; i < directions.size(); ++i) {
+      const size_t column = i / samples;
       const Vector2d pixel =
-          Vector2d(static_cast<double>(i / samples), y) + places[i % samples] - Vector2d(0.5, 0.5);
+          Vector2d(static_cast<double>(column), y) + places[i % samples] - Vector2d(0.5, 0.5);
       directions[i] = (T_world_camera.linear() * camera.Ray(pixel)).normalized();
     }
     implementation_->rays.Nearest(view.origin, directions, hits);

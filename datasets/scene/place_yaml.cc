@@ -26,6 +26,7 @@ SceneObject ReadSupport(const YamlMap& map, const std::vector<SceneObject>& obje
                                   [&](const SceneObject& object) { return object.id == id; });
   if (found == objects.end()) {
     std::vector<std::string> known;
+    known.reserve(objects.size());
     for (const SceneObject& object : objects) known.push_back(object.id);
     throw InputError(fmt::format("{}: {} (only objects listed before it count)", map.Where("on"),
                                  UnknownNameMessage("object", id, known)));
@@ -91,6 +92,7 @@ void CheckFree(const YamlMap& map, const Place& place, const NamedSolid& solid, 
 
 std::vector<NamedSolid> SolidsOf(const std::vector<SceneObject>& objects) {
   std::vector<NamedSolid> solids;
+  solids.reserve(objects.size());
   for (const SceneObject& object : objects) {
     solids.push_back({object.id, SolidOf(object.instance.mesh, object.T_world_object)});
   }

@@ -21,6 +21,7 @@ constexpr std::array<std::pair<const char*, Texture>, 6> kTextures{{{"plain", Te
 
 std::vector<std::string> TextureNames() {
   std::vector<std::string> names;
+  names.reserve(kTextures.size());
   for (const auto& [name, texture] : kTextures) names.emplace_back(name);
   return names;
 }

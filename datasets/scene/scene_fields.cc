@@ -14,7 +14,7 @@ namespace {
 
 std::vector<double> ReadList(const YamlMap& map, const std::string& key, size_t count,
                              const std::string& form) {
-  const std::vector<double> values = map.Numbers(key);
+  std::vector<double> values = map.Numbers(key);
   if (values.size() == count) return values;
   throw InputError(map.At(key, fmt::format("has {} values; write the {} {}", values.size(), count, form)));
 }
@@ -48,7 +48,7 @@ Eigen::Vector3d ReadTriple(const YamlMap& map, const std::string& key) {
 }
 
 Eigen::Vector3d ReadSize(const YamlMap& map, const std::string& key) {
-  const Eigen::Vector3d size = ReadTriple(map, key);
+  Eigen::Vector3d size = ReadTriple(map, key);
   if (size.minCoeff() > 0) return size;
   throw InputError(map.At(key, fmt::format("is [{}, {}, {}]; write lengths greater than 0, in metres",
                                            size[0], size[1], size[2])));
@@ -56,14 +56,14 @@ Eigen::Vector3d ReadSize(const YamlMap& map, const std::string& key) {
 
 Colour ReadColour(const YamlMap& map, const std::string& key) {
   const std::vector<double> values = ReadList(map, key, 3, "[red, green, blue], each 0..1");
-  const Colour colour(values[0], values[1], values[2]);
+  Colour colour(values[0], values[1], values[2]);
   if (colour.minCoeff() >= 0 && colour.maxCoeff() <= 1) return colour;
   throw InputError(map.At(key, fmt::format("is [{}, {}, {}]; write red, green and blue as numbers in 0..1",
                                            colour[0], colour[1], colour[2])));
 }
 
 std::string ReadName(const YamlMap& map, const std::string& key) {
-  const std::string name = map.Text(key);
+  std::string name = map.Text(key);
   if (!name.empty() && std::all_of(name.begin(), name.end(), IsNameCharacter)) return name;
   throw InputError(
       map.At(key, fmt::format("is {}; write a word of letters, digits, '-' and '_'", Quoted(name))));
