@@ -53,9 +53,9 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
     sequence.objects.push_back({object.id, object.instance.category, "armature:" + object.instance.id,
                                 object.T_world_object, object.instance.size});
   }
-  const auto T_world_camera = CameraPoses(scene.path, scene.frames, MixedSeed(scene.seed, kPath));
+  const auto T_world_camera = CameraPoses(scene.path, scene.frames, StreamSeed(scene.seed, kPath));
   const auto T_odom_camera =
-      SimulateOdometry(T_world_camera, scene.odometry, MixedSeed(scene.seed, kOdometry));
+      SimulateOdometry(T_world_camera, scene.odometry, StreamSeed(scene.seed, kOdometry));
   if (scene.odometry.tells_up)
     sequence.up_odom = T_world_camera.front().linear().transpose() * Eigen::Vector3d::UnitZ();
   for (size_t i = 0; i < static_cast<size_t>(frames); ++i) {
@@ -71,7 +71,8 @@ cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
   const RayScene& rays = studio.renderer.rays();
   const Picture picture = studio.renderer.Render(scene.camera, frame->T_world_camera);
   const auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
-  const std::uint64_t seed = MixedSeed(MixedSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
+  const std::uint64_t seed =
+      StreamSeed(StreamSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
   frame->detections =
       SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera, studio.noise, seed);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
@@ -79,7 +80,7 @@ cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
     frame->edges.push_back(TrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
                                      object.T_world_object, scene.camera, frame->T_world_camera));
   }
-  return Develop(picture.radiance, scene.effects, MixedSeed(scene.seed, kEffects), index);
+  return Develop(picture.radiance, scene.effects, StreamSeed(scene.seed, kEffects), index);
 }
 
 // The exception that the work ended with, none if it went well. No exception may leave a parallel region.

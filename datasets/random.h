@@ -7,14 +7,6 @@
 
 namespace armature {
 
-// A seed of its own for the n-th stream of random numbers (splitmix64).
-inline std::uint64_t MixedSeed(std::uint64_t seed, std::uint64_t n) {
-  std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15ULL;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
-
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
