@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a table says about many durations.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace armature {
+
+struct SpanStatistics {
+  size_t n = 0;
+  double mean = 0, deviation = 0;  // sample standard deviation, 0 for a single value
+  double median = 0, p10 = 0, p90 = 0, p99 = 0, max = 0;
+};
+
+// None of nothing: a stage that never ran. Quantiles are linear between neighbours.
+std::optional<SpanStatistics> StatisticsOf(std::vector<double> values);
+
+}  // namespace armature
