@@ -6,7 +6,9 @@
 #include "association/matching.h"
 #include "geometry/rotation.h"
 #include "resection/line_resection.h"
+#include "resection/normal_equations.h"
 #include "resection/resection_problem.h"
+#include "resection/resection_solver.h"
 #include "support/synthetic_view.h"
 
 namespace armature {
@@ -44,7 +46,23 @@ ResectionProblem ProblemOf(const SyntheticView& synthetic) {
   problem.line_terms.push_back({PointOnEdge(synthetic.model, 7, -0.4), -line, 0.1, 3, true});
   problem.plane_terms.push_back(
       {PointOnEdge(synthetic.model, 6, 0.5), *synthetic.view.up_camera, 1.2, 10, 3});
+  // Exactly on its line: no residual, but a derivative.
+  const ShapePoint touching = PointOnEdge(synthetic.model, 2, 0.1);
+  const Eigen::Vector2d pixel = synthetic.camera.Project(problem.R0 * touching.X0 + problem.T0);
+  problem.line_terms.push_back({touching, {1, 0, -pixel.x()}, 0.3, 3, false});
   return problem;
+}
+
+// Not diagonal: the whitening must be by L^T.
+ObjectMemory MemoryOf(const SyntheticView& synthetic) {
+  ObjectMemory memory;
+  memory.expected = synthetic.truth;
+  const int n = 4 + synthetic.model.modes();
+  memory.sqrt_information = Eigen::MatrixXd::Identity(n, n) * 3;
+  memory.sqrt_information(0, 4) = 2;
+  memory.sqrt_information(2, 3) = -1.5;
+  memory.information = memory.sqrt_information.transpose() * memory.sqrt_information;
+  return memory;
 }
 
 class ResectionDerivatives : public ::testing::TestWithParam<NormalTerm> {};
@@ -68,19 +86,101 @@ INSTANTIATE_TEST_SUITE_P(NormalTerms, ResectionDerivatives,
 TEST(ResectionProblem, MemoryDerivativesAgreeWithCentralDifferences) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
   ResectionProblem problem = ProblemOf(synthetic);
-  ObjectMemory memory;
-  memory.expected = synthetic.truth;
-  const int n = 4 + synthetic.model.modes();
-  // Not diagonal: the whitening must be by L^T.
-  memory.sqrt_information = Eigen::MatrixXd::Identity(n, n) * 3;
-  memory.sqrt_information(0, 4) = 2;
-  memory.sqrt_information(2, 3) = -1.5;
+  const ObjectMemory memory = MemoryOf(synthetic);
   problem.memory = &memory;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(problem.NumParameters(), 0.05);
   Eigen::VectorXd residuals(problem.NumResiduals());
   Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
   problem(x.data(), residuals.data(), J.data());
   EXPECT_LT((J - JacobianByDifferences(problem, x)).cwiseAbs().maxCoeff(), 1e-5 * J.cwiseAbs().maxCoeff());
+}
+
+template <int kModes>
+void ExpectNormalEquationsOfTheJacobian(const ResectionProblem& problem, const Eigen::VectorXd& x) {
+  Eigen::VectorXd r(problem.NumResiduals());
+  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
+  problem(x.data(), r.data(), J.data());
+  const auto equations = Linearise<kModes>(problem, x.data());
+  const Eigen::MatrixXd JtJ = J.transpose() * J;
+  EXPECT_LT((equations.information - JtJ).cwiseAbs().maxCoeff(), 1e-10 * JtJ.cwiseAbs().maxCoeff());
+  EXPECT_LT((equations.gradient - J.transpose() * r).cwiseAbs().maxCoeff(),
+            1e-10 * JtJ.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(equations.cost, r.squaredNorm() / 2, 1e-10 * r.squaredNorm());
+}
+
+TEST_P(ResectionDerivatives, GiveTheNormalEquationsOfTheirJacobian) {
+  const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
+  ResectionProblem problem = ProblemOf(synthetic);
+  problem.normal_term = GetParam();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
+  x << 0.1, -0.2, 0.05, 0.02, 0.03, -0.04, 0.5, -0.4, 0.3, 0.2, -0.1, 0.15, 0.25;
+  const ObjectMemory memory = MemoryOf(synthetic);
+  for (const ObjectMemory* remembered : {static_cast<const ObjectMemory*>(nullptr), &memory}) {
+    problem.memory = remembered;
+    ExpectNormalEquationsOfTheJacobian<7>(problem, x);
+    ExpectNormalEquationsOfTheJacobian<Eigen::Dynamic>(problem, x);
+  }
+}
+
+// A well-posed problem: every edge is seen, by segments that are a little off.
+ResectionProblem SolvableProblem(const SyntheticView& synthetic) {
+  ResectionProblem problem = ProblemOf(synthetic);
+  problem.line_terms.clear();
+  const ProjectedWireframe projected = synthetic.Project(synthetic.truth);
+  for (size_t e = 0; e < projected.edges.size(); ++e) {
+    const ProjectedEdge& edge = projected.edges[e];
+    if (edge.length <= 0) continue;
+    const double off = e % 2 == 0 ? 1.5 : -0.5;  // pixels
+    const Eigen::Vector2d n(-edge.direction.y(), edge.direction.x());
+    const Eigen::Vector3d line(n.x(), n.y(), -n.dot(edge.line.p1) + off);
+    for (const double s : {-0.4, 0.3}) {
+      problem.line_terms.push_back(
+          {PointOnEdge(synthetic.model, static_cast<int>(e), s), line, 0.5, 3, false});
+    }
+  }
+  return problem;
+}
+
+// From several starts, so that steps are turned down, too.
+TEST(ResectionSolver, AgreesWithCeres) {
+  const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
+  ResectionProblem problem = SolvableProblem(synthetic);
+  const ObjectMemory memory = MemoryOf(synthetic);
+  const SolverOptions options{.max_iterations = 300, .function_tolerance = 0, .parameter_tolerance = 1e-12};
+  for (const double off : {0.0, 0.02, 0.08}) {
+    for (const ObjectMemory* remembered : {static_cast<const ObjectMemory*>(nullptr), &memory}) {
+      problem.memory = remembered;
+      Eigen::VectorXd ours = Eigen::VectorXd::Constant(problem.NumParameters(), off), theirs = ours;
+      const SolverResult small = SolveResection(problem, options, ours);
+      const SolverResult ceres = SolveResectionWithCeres(problem, options, theirs);
+      EXPECT_NEAR(small.cost, ceres.cost, 1e-9 * ceres.cost);
+      EXPECT_LT((ours - theirs).cwiseAbs().maxCoeff(), 1e-6) << off;
+    }
+  }
+}
+
+TEST(ResectionSolver, TakesTheSameStepsAsCeres) {
+  const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
+  const ResectionProblem problem = SolvableProblem(synthetic);
+  for (int iterations = 1; iterations < 12; ++iterations) {
+    const SolverOptions options{.max_iterations = iterations};
+    Eigen::VectorXd ours = Eigen::VectorXd::Constant(problem.NumParameters(), 0.05), theirs = ours;
+    EXPECT_EQ(SolveResection(problem, options, ours).iterations,
+              SolveResectionWithCeres(problem, options, theirs).iterations);
+    EXPECT_LT((ours - theirs).cwiseAbs().maxCoeff(), 1e-9) << iterations;
+  }
+}
+
+TEST(ResectionSolver, OtherNumbersOfModesComeToTheSame) {
+  SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
+  synthetic.model.basis.conservativeResize(Eigen::NoChange, 4);
+  synthetic.model.standard_deviations.conservativeResize(4);
+  const ResectionProblem problem = SolvableProblem(synthetic);
+  const SolverOptions options{.max_iterations = 300, .function_tolerance = 0, .parameter_tolerance = 1e-12};
+  Eigen::VectorXd ours = Eigen::VectorXd::Zero(10), theirs = ours;
+  SolveResection(problem, options, ours);
+  SolveResectionWithCeres(problem, options, theirs);
+  EXPECT_LT((ours - theirs).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(ResectionProblem, LineResidualIsTheDistanceInPixels) {

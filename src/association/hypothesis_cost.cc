@@ -58,8 +58,9 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
 double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
   const ObjectMemory& memory = *view.memory;
   const Eigen::Matrix3d R = at.T_camera_object.linear();
-  const Eigen::VectorXd difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
-  const double sigmas = (memory.sqrt_information * difference).norm();
+  const MemoryVector difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
+  const MemoryVector push = memory.information * difference;
+  const double sigmas = std::sqrt(difference.dot(push));
   const double yaw = std::atan2(R.col(2).dot(memory.yaw_quarter), R.col(2).dot(memory.yaw_zero));
   return options.memory_weight * GemanMcClure(sigmas, options.memory_loss_scale) +
          std::min(options.yaw_memory_cap, options.azimuth_weight * memory.belief.At(yaw));

@@ -46,21 +46,25 @@ struct YawBelief {
   double At(double yaw) const;
 };
 
+// A value of an ObjectMemory's z, or something that belongs to each of its numbers; not on the heap.
+using MemoryVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 + kMaxModes, 1>;
+
 // What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4
 // + B numbers, T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients.
 // It is joint because what was seen may be one end of a table: then neither its centre nor its length is
 // known, but their difference is.
 struct ObjectMemory {
   PoseAndShape expected;             // in this camera
-  Eigen::MatrixXd sqrt_information;  // L^T, (4+B) x (4+B), L L^T the information of z
+  Eigen::MatrixXd information;       // of z, (4+B) x (4+B)
+  Eigen::MatrixXd sqrt_information;  // L^T, L L^T the information
   YawBelief belief;                  // of the direction of the object's z axis
   Eigen::Vector3d yaw_zero,
       yaw_quarter;  // the horizontal directions of yaw 0 and 90 degrees, unit, camera frame
 
   // z - z_expected of a pose and shape; the yaw's difference is taken from the direction of the object's
   // front.
-  Eigen::VectorXd Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
-                             const Eigen::VectorXd& coefficients) const;
+  MemoryVector Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
+                          const Eigen::Ref<const Eigen::VectorXd>& coefficients) const;
   // The horizontal direction 90 degrees ahead of the expected front: the front's component along it is the
   // yaw's difference to first order.
   Eigen::Vector3d AheadOfFront() const;

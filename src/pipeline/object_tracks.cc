@@ -119,7 +119,8 @@ std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometr
   to_camera.topLeftCorner<3, 3>() = R_camera_odom;
   covariance = to_camera * covariance * to_camera.transpose();
   // I = L L^T, and the residual is whitened by L^T.
-  memory.sqrt_information = covariance.inverse().llt().matrixU();
+  memory.information = covariance.inverse();
+  memory.sqrt_information = memory.information.llt().matrixU();
   memory.belief = track.belief;
   const HorizontalAxes axes(up_odom);
   memory.yaw_zero = R_camera_odom * axes.zero;

@@ -174,6 +174,9 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
 void AddResectionOptions(ResectionOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("resection.mode", &o.mode, "pose and shape jointly, or alternating as in the paper",
                      {"joint", "alternating"}));
+  t.push_back(Option("resection.solver", &o.solver,
+                     "of mode joint: our own of fixed size, or the reference, ceres::TinySolver",
+                     {"small", "ceres"}));
   t.push_back(Option("resection.normal_term", &o.normal_term, "what is kept upright",
                      {"none", "axis", "base", "printed"}));
   t.push_back(Option("resection.max_iterations", &o.max_iterations, "of the optimiser, each round", 1, 1000));

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "resection/line_resection.h"
 
-#include <ceres/tiny_solver.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "geometry/rotation.h"
+#include "resection/normal_equations.h"
 #include "resection/resection_problem.h"
+#include "resection/resection_solver.h"
 
 namespace armature {
 namespace {
@@ -158,30 +158,39 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
   return problem;
 }
 
-using Solver = ceres::TinySolver<ResectionProblem>;
-
 // The paper's turns: pose with the shape held, then shape with the pose held.
-int SolveAlternating(Solver& solver, ResectionProblem& problem, Solver::Parameters& x, int alternations) {
-  int iterations = 0;
+SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& options, Eigen::VectorXd& x,
+                              int alternations) {
+  SolverResult result;
   for (int turn = 0; turn < alternations; ++turn) {
     for (const bool pose : {true, false}) {
       problem.pose_is_free = pose;
       problem.shape_is_free = !pose;
-      iterations += solver.Solve(problem, &x).iterations;
+      const SolverResult half = SolveResectionWithCeres(problem, options, x);
+      result = {half.cost, result.iterations + half.iterations};
     }
   }
-  problem.pose_is_free = problem.shape_is_free = true;
-  return iterations;
+  return result;
+}
+
+SolverResult Solve(ResectionProblem& problem, const ResectionOptions& options, Eigen::VectorXd& x) {
+  const SolverOptions solver{.max_iterations = options.max_iterations};
+  if (options.mode == "alternating") return SolveAlternating(problem, solver, x, options.alternations);
+  if (options.solver == "ceres") return SolveResectionWithCeres(problem, solver, x);
+  return SolveResection(problem, solver, x);
+}
+
+// The problem's unknowns at its own pose and the given shape.
+Eigen::VectorXd UnknownsAt(const ResectionProblem& problem, const Eigen::VectorXd& coefficients) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
+  x.tail(problem.Modes()) = coefficients;
+  return x;
 }
 
 // Of all unknowns at the problem's own pose and the given shape.
 Eigen::MatrixXd Covariance(const ResectionProblem& problem, const Eigen::VectorXd& coefficients) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
-  x.tail(problem.Modes()) = coefficients;
-  Eigen::VectorXd residuals(problem.NumResiduals());
-  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
-  problem(x.data(), residuals.data(), J.data());
-  Eigen::MatrixXd information = J.transpose() * J;
+  const Eigen::VectorXd x = UnknownsAt(problem, coefficients);
+  Eigen::MatrixXd information = Linearise<Eigen::Dynamic>(problem, x.data()).information;
   // A direction of the pose that nothing observes gets a large but finite variance: 1 rad, 10 m.
   information.diagonal().head<3>().array() += 1.0;
   information.diagonal().segment<3>(3).array() += 0.01;
@@ -194,17 +203,11 @@ ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std:
                        const ProjectedWireframe& projected, const PoseAndShape& start,
                        const BoxOptions& box_options, const ResectionOptions& options) {
   ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
-  Solver::Parameters x = Solver::Parameters::Zero(problem.NumParameters());
-  x.tail(problem.Modes()) = start.coefficients;
-  Solver solver;
-  solver.options.max_num_iterations = options.max_iterations;
-  solver.options.function_tolerance = 1e-3;
-  solver.options.parameter_tolerance = 1e-4;
+  Eigen::VectorXd x = UnknownsAt(problem, start.coefficients);
+  const SolverResult solved = Solve(problem, options, x);
   ResectionResult result;
-  result.iterations = options.mode == "alternating"
-                          ? SolveAlternating(solver, problem, x, options.alternations)
-                          : solver.Solve(problem, &x).iterations;
-  result.cost = solver.summary.final_cost;
+  result.iterations = solved.iterations;
+  result.cost = solved.cost;
   result.finite = x.allFinite();
   result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
   result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
@@ -243,12 +246,9 @@ ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const st
   AddMatches(matches, projected, options, problem);
   AddLegEnds(matches, projected, options, problem);
   AddBox(view, sides, projected, box_options, options, problem);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
-  x.tail(problem.Modes()) = at.coefficients;
-  Eigen::VectorXd residuals(problem.NumResiduals());
-  Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
-  problem(x.data(), residuals.data(), J.data());
-  return {J.transpose() * J, J.transpose() * residuals};
+  const Eigen::VectorXd x = UnknownsAt(problem, at.coefficients);
+  const auto equations = Linearise<Eigen::Dynamic>(problem, x.data());
+  return {equations.information, equations.gradient};
 }
 
 }  // namespace armature

@@ -13,7 +13,8 @@
 namespace armature {
 
 struct ResectionOptions {
-  std::string mode = "joint";        // "joint": pose and shape together; "alternating": the paper's turns
+  std::string mode = "joint";    // "joint": pose and shape together; "alternating": the paper's turns
+  std::string solver = "small";  // "small": our own, fixed-size; "ceres": the reference. Mode "joint" only
   std::string normal_term = "axis";  // "none", "axis", "base", "printed": see resection_problem.h
   int max_iterations = 5;            // of the optimiser, each round
   int alternations = 5;              // of mode "alternating"
