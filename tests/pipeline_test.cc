@@ -76,6 +76,7 @@ TEST(ObjectEstimator, ThePrintedVariantRuns) {
   association.cost = "printed";
   association.hypotheses.printed_translation = true;
   association.refined_hypotheses = 1;
+  association.rounds = 1;
   ResectionOptions resection;
   resection.mode = "alternating";
   resection.normal_term = "printed";

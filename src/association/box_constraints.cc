@@ -16,6 +16,36 @@ Eigen::Matrix3Xd RotatedEnds(const Wireframe& wireframe, const Eigen::Matrix3d& 
   return ends;
 }
 
+Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Eigen::Matrix3Xd& ends) {
+  const Camera& camera = *view.camera;
+  const Box& box = view.detection.box;
+  const Eigen::Vector3d extent = ends.rowwise().maxCoeff() - ends.rowwise().minCoeff();
+  const double Tz = 0.5 * (extent.x() * camera.fx / box.width + extent.y() * camera.fy / box.height);
+  const Eigen::Vector2d center = box.center();
+  return {(center.x() - camera.cx) * Tz / camera.fx, (center.y() - camera.cy) * Tz / camera.fy, Tz};
+}
+
+// The ends that are seen farthest left, up, right and down from T.
+std::array<Eigen::Index, 4> OutermostEnds(const Eigen::Matrix3Xd& ends, const Eigen::Vector3d& T) {
+  std::array<Eigen::Index, 4> outermost{};
+  Eigen::Vector2d least = Eigen::Vector2d::Constant(1e9), most = -least;
+  for (Eigen::Index i = 0; i < ends.cols(); ++i) {
+    const Eigen::Vector3d P = ends.col(i) + T;
+    const Eigen::Vector2d seen = P.head<2>() / std::max(P.z(), 0.1);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (seen(axis) < least(axis)) {
+        least(axis) = seen(axis);
+        outermost[static_cast<size_t>(axis)] = i;
+      }
+      if (seen(axis) > most(axis)) {
+        most(axis) = seen(axis);
+        outermost[static_cast<size_t>(axis) + 2] = i;
+      }
+    }
+  }
+  return outermost;
+}
+
 }  // namespace
 
 BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance) {
@@ -107,13 +137,7 @@ Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_
 
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
                                    const Eigen::Matrix3d& R) {
-  const Camera& camera = *view.camera;
-  const Box& box = view.detection.box;
-  const Eigen::Matrix3Xd ends = RotatedEnds(wireframe, R);
-  const Eigen::Vector3d extent = ends.rowwise().maxCoeff() - ends.rowwise().minCoeff();
-  const double Tz = 0.5 * (extent.x() * camera.fx / box.width + extent.y() * camera.fy / box.height);
-  const Eigen::Vector2d center = box.center();
-  return {(center.x() - camera.cx) * Tz / camera.fx, (center.y() - camera.cy) * Tz / camera.fy, Tz};
+  return PrintedTranslation(view, RotatedEnds(wireframe, R));
 }
 
 Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides, const Wireframe& wireframe,
@@ -124,19 +148,15 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
   const double side_x[2] = {(box.left() - camera.cx) / camera.fx, (box.right() - camera.cx) / camera.fx};
   const double side_y[2] = {(box.top() - camera.cy) / camera.fy, (box.bottom() - camera.cy) / camera.fy};
   const Eigen::Vector2d reach = ImagePadding(view.model->spec, R);
-  Eigen::Vector3d T = PrintedTranslation(view, wireframe, R);
+  Eigen::Vector3d T = PrintedTranslation(view, ends);
   const double start_depth = T.z();
   for (int iteration = 0; iteration < 3; ++iteration) {
     Eigen::Matrix<double, 6, 3> A;
     Eigen::Matrix<double, 6, 1> b;
-    const Eigen::ArrayXd z = (ends.row(2).array() + T.z()).max(0.1);
-    const Eigen::ArrayXd u = (ends.row(0).array() + T.x()).transpose() / z;
-    const Eigen::ArrayXd v = (ends.row(1).array() + T.y()).transpose() / z;
+    const std::array<Eigen::Index, 4> outermost = OutermostEnds(ends, T);
     for (int side = 0; side < 4; ++side) {
       const bool horizontal = side % 2 == 0;  // left and right constrain x
-      Eigen::Index corner = 0;
-      const Eigen::ArrayXd& w = horizontal ? u : v;
-      side < 2 ? w.minCoeff(&corner) : w.maxCoeff(&corner);
+      const Eigen::Index corner = outermost[static_cast<size_t>(side)];
       const double at = horizontal ? side_x[side / 2] : side_y[side / 2];
       // An open side still says roughly where the object is: a tenth of the weight keeps the system regular.
       const double weight = sides[static_cast<size_t>(side)] == BoxSide::kSeen ? 1.0 : 0.1;
@@ -157,7 +177,7 @@ Eigen::Vector3d TranslationFromBox(const ObjectView& view, const BoxSides& sides
       b(5) = -weight * (view.floor->camera_height + lowest);
     }
     T = (A.transpose() * A).ldlt().solve(A.transpose() * b);
-    if (!(T.z() > 0.2)) T = PrintedTranslation(view, wireframe, R);
+    if (!(T.z() > 0.2)) T = PrintedTranslation(view, ends);
   }
   return T;
 }

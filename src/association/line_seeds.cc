@@ -72,9 +72,11 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
                                                    const Eigen::Matrix3d& R, const LineSeedOptions& options) {
   std::vector<Eigen::Vector3d> translations;
   if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return translations;
-  const Eigen::RowVector3d up = view.up_camera->transpose();
+  const Eigen::Vector3d up_camera = *view.up_camera;
+  const Eigen::RowVector3d up = up_camera.transpose();
   const double lowest =
       (up * R * wireframe.midpoints - (up * R * wireframe.directions).cwiseAbs() / 2).minCoeff();
+  const double floor = -view.floor->camera_height - lowest;
   std::vector<Pair> pairs = CompatiblePairs(view, wireframe, R, options);
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.length > b.length; });
@@ -87,11 +89,13 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
   for (size_t i = 0; i < pairs.size(); ++i) {
     for (size_t j = i + 1; j < pairs.size(); ++j) {
       if (pairs[i].edge == pairs[j].edge) continue;
-      Eigen::Matrix3d A;
-      A << pairs[i].normal.transpose(), pairs[j].normal.transpose(), up;
-      if (std::abs(A.determinant()) < 0.05) continue;
-      const Eigen::Vector3d b(pairs[i].offset, pairs[j].offset, -view.floor->camera_height - lowest);
-      const Eigen::Vector3d T = A.inverse() * b;
+      // Three planes meet in a point: N_i . T = offset_i, N_j . T = offset_j, up . T = floor.
+      const Eigen::Vector3d along = pairs[i].normal.cross(pairs[j].normal);
+      const double determinant = along.dot(up_camera);
+      if (std::abs(determinant) < 0.05) continue;
+      const Eigen::Vector3d T = (pairs[i].offset * pairs[j].normal.cross(up_camera) +
+                                 pairs[j].offset * up_camera.cross(pairs[i].normal) + floor * along) /
+                                determinant;
       if (T.z() < kNearest || T.norm() > kFarthest) continue;
       if (!LiesOnEdge(*view.camera, wireframe, R, T, pairs[i])) continue;
       if (!LiesOnEdge(*view.camera, wireframe, R, T, pairs[j])) continue;

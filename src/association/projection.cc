@@ -15,11 +15,15 @@ constexpr std::array<double, 4> kSamples = {0.125, 0.375, 0.625, 0.875};  // alo
 // outside.
 bool ClipInterval(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Box& box, double& enter,
                   double& leave) {
+  enter = 0;
+  leave = 1;
+  const auto inside = [&](const Eigen::Vector2d& p) {
+    return p.x() >= box.left() && p.x() <= box.right() && p.y() >= box.top() && p.y() <= box.bottom();
+  };
+  if (inside(a) && inside(b)) return true;
   const Eigen::Vector2d d = b - a;
   const double step[4] = {-d.x(), d.x(), -d.y(), d.y()};
   const double room[4] = {a.x() - box.left(), box.right() - a.x(), a.y() - box.top(), box.bottom() - a.y()};
-  enter = 0;
-  leave = 1;
   for (int side = 0; side < 4; ++side) {
     if (step[side] < 0) {
       enter = std::max(enter, room[side] / step[side]);
@@ -83,24 +87,74 @@ bool HasEdge(const Face& face, int edge) {
 
 double VisibleShare(const ProjectedEdge& edge, int index, const CategorySpec& spec,
                     const std::vector<ImageFace>& own, const std::vector<ImageFace>& occluders) {
-  int seen = 0;
-  for (const double t : kSamples) {
-    const Eigen::Vector2d pixel = edge.line.p1 + t * (edge.line.p2 - edge.line.p1);
-    const double inverse_z = edge.inverse_z1 + t * (edge.inverse_z2 - edge.inverse_z1);
-    bool hidden = false;
-    for (size_t f = 0; f < own.size() && !hidden; ++f) {
-      hidden = !HasEdge(spec.faces[f], index) && own[f].Hides(pixel, inverse_z);
+  std::array<bool, kSamples.size()> hidden{};
+  const auto hide = [&](const ImageFace& face) {
+    for (size_t i = 0; i < kSamples.size(); ++i) {
+      if (hidden[i]) continue;
+      const Eigen::Vector2d pixel = edge.line.p1 + kSamples[i] * (edge.line.p2 - edge.line.p1);
+      const double inverse_z = edge.inverse_z1 + kSamples[i] * (edge.inverse_z2 - edge.inverse_z1);
+      hidden[i] = face.Hides(pixel, inverse_z);
     }
-    for (size_t f = 0; f < occluders.size() && !hidden; ++f) hidden = occluders[f].Hides(pixel, inverse_z);
-    seen += hidden ? 0 : 1;
+  };
+  for (size_t f = 0; f < own.size(); ++f) {
+    if (!HasEdge(spec.faces[f], index)) hide(own[f]);
   }
-  return seen / static_cast<double>(kSamples.size());
+  for (const ImageFace& face : occluders) hide(face);
+  return static_cast<double>(std::count(hidden.begin(), hidden.end(), false)) /
+         static_cast<double>(kSamples.size());
+}
+
+// Corners in the camera frame; not on the heap.
+using FaceCorners = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxFaceCorners>;
+
+// Cut at the near plane. `face` keeps its memory.
+void ProjectCorners(const Camera& camera, const Eigen::Ref<const Eigen::Matrix3Xd>& corners,
+                    ImageFace& face) {
+  face.corners.clear();
+  const Eigen::Index n = corners.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector3d a = corners.col(i), b = corners.col((i + 1) % n);
+    if (a.z() >= kNear) face.corners.push_back(camera.Project(a));
+    if ((a.z() >= kNear) != (b.z() >= kNear)) {
+      face.corners.push_back(camera.Project(a + (kNear - a.z()) / (b.z() - a.z()) * (b - a)));
+    }
+  }
+  // Plane n . P = d, P = z * ray: 1/z = n . ray / d, and the ray is affine in the pixel.
+  const Eigen::Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0));
+  const double d = normal.dot(corners.col(0));
+  if (std::abs(d) < 1e-9 * normal.norm()) face.corners.clear();  // seen edge-on: hides nothing
+  if (face.corners.empty()) return;
+  face.least = face.most = face.corners.front();
+  for (const Eigen::Vector2d& corner : face.corners) {
+    face.least = face.least.cwiseMin(corner);
+    face.most = face.most.cwiseMax(corner);
+  }
+  const Eigen::Vector3d m = normal / d;
+  face.inverse_depth = {m.x() / camera.fx, m.y() / camera.fy,
+                        m.z() - m.x() * camera.cx / camera.fx - m.y() * camera.cy / camera.fy};
+}
+
+void ProjectAllFaces(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
+                     const Eigen::Isometry3d& T_camera_object, std::vector<ImageFace>& faces) {
+  faces.resize(spec.faces.size());
+  for (size_t f = 0; f < spec.faces.size(); ++f) {
+    const std::vector<EdgeEnd>& ends = spec.faces[f].corners;
+    FaceCorners corners(3, static_cast<Eigen::Index>(ends.size()));
+    for (Eigen::Index i = 0; i < corners.cols(); ++i) {
+      const EdgeEnd& corner = ends[static_cast<size_t>(i)];
+      corners.col(i) = T_camera_object * wireframe.End(corner.edge, corner.end);
+    }
+    ProjectCorners(camera, corners, faces[f]);
+  }
 }
 
 }  // namespace
 
 bool ImageFace::Hides(const Eigen::Vector2d& pixel, double inverse_z) const {
   if (corners.size() < 3) return false;
+  if (pixel.x() < least.x() || pixel.x() > most.x() || pixel.y() < least.y() || pixel.y() > most.y()) {
+    return false;
+  }
   if (inverse_depth.dot(pixel.homogeneous()) < kBehindMargin * inverse_z) return false;
   // Even-odd rule: count the sides that a ray to the right crosses.
   bool inside = false;
@@ -120,36 +174,14 @@ double ProjectedWireframe::VisibleLength() const {
 
 ImageFace ProjectFace(const Camera& camera, const Eigen::Matrix3Xd& corners_camera) {
   ImageFace face;
-  const Eigen::Index n = corners_camera.cols();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Vector3d a = corners_camera.col(i), b = corners_camera.col((i + 1) % n);
-    if (a.z() >= kNear) face.corners.push_back(camera.Project(a));
-    if ((a.z() >= kNear) != (b.z() >= kNear)) {
-      face.corners.push_back(camera.Project(a + (kNear - a.z()) / (b.z() - a.z()) * (b - a)));
-    }
-  }
-  // Plane n . P = d, P = z * ray: 1/z = n . ray / d, and the ray is affine in the pixel.
-  const Eigen::Vector3d normal =
-      (corners_camera.col(1) - corners_camera.col(0)).cross(corners_camera.col(2) - corners_camera.col(0));
-  const double d = normal.dot(corners_camera.col(0));
-  if (std::abs(d) < 1e-9 * normal.norm()) return {};  // seen edge-on: hides nothing
-  const Eigen::Vector3d m = normal / d;
-  face.inverse_depth = {m.x() / camera.fx, m.y() / camera.fy,
-                        m.z() - m.x() * camera.cx / camera.fx - m.y() * camera.cy / camera.fy};
+  ProjectCorners(camera, corners_camera, face);
   return face;
 }
 
 std::vector<ImageFace> ProjectFaces(const Camera& camera, const CategorySpec& spec,
                                     const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object) {
   std::vector<ImageFace> faces;
-  for (const Face& face : spec.faces) {
-    Eigen::Matrix3Xd corners(3, static_cast<Eigen::Index>(face.corners.size()));
-    for (Eigen::Index i = 0; i < corners.cols(); ++i) {
-      const EdgeEnd& corner = face.corners[static_cast<size_t>(i)];
-      corners.col(i) = T_camera_object * wireframe.End(corner.edge, corner.end);
-    }
-    faces.push_back(ProjectFace(camera, corners));
-  }
+  ProjectAllFaces(camera, spec, wireframe, T_camera_object, faces);
   return faces;
 }
 
@@ -182,7 +214,7 @@ void ProjectSeenEdges(const Camera& camera, const CategorySpec& spec, const Wire
 void DetermineVisibility(const Camera& camera, const CategorySpec& spec, const Wireframe& wireframe,
                          const Eigen::Isometry3d& T_camera_object, const std::vector<ImageFace>& occluders,
                          ProjectedWireframe& out) {
-  out.faces = ProjectFaces(camera, spec, wireframe, T_camera_object);
+  ProjectAllFaces(camera, spec, wireframe, T_camera_object, out.faces);
   for (size_t i = 0; i < out.edges.size(); ++i) {
     ProjectedEdge& edge = out.edges[i];
     if (edge.length > 0)

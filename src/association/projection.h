@@ -15,8 +15,9 @@ namespace armature {
 // A flat opaque polygon in the image. The inverse depth of a plane is affine in the pixel: 1/z =
 // inverse_depth . (u, v, 1).
 struct ImageFace {
-  std::vector<Eigen::Vector2d> corners;  // pixels, in order
-  Eigen::Vector3d inverse_depth;         // 1/metres
+  std::vector<Eigen::Vector2d> corners;       // pixels, in order
+  Eigen::Vector2d least{0, 0}, most{-1, -1};  // pixels: the rectangle around the corners
+  Eigen::Vector3d inverse_depth;              // 1/metres
   // Whether the face hides what lies at the pixel with the given inverse depth (a hair behind it, so that a
   // face does not hide its own border).
   bool Hides(const Eigen::Vector2d& pixel, double inverse_z) const;

@@ -11,7 +11,8 @@
 
 namespace armature {
 
-constexpr int kMaxModes = 16;  // of a category's shape
+constexpr int kMaxModes = 16;        // of a category's shape
+constexpr int kMaxFaceCorners = 16;  // of one of its faces
 
 // The edges of one object as columns, in the object frame (y up, front +z, origin at the centre of the
 // bounding box), metres. The paper's X = <L_1 ... L_m>, L_i = <M_i, D_i>; here |D| is the edge's length, so
@@ -35,7 +36,7 @@ struct EdgeEnd {
 // A flat, opaque face spanned by ends of edges, in order around it; it hides the edges behind it.
 struct Face {
   std::string name;
-  std::vector<EdgeEnd> corners;  // 3 or more
+  std::vector<EdgeEnd> corners;  // 3 to kMaxFaceCorners
 };
 
 // A horizontal board - a table's top, a seat - that is annotated along its upper side. What is seen of the

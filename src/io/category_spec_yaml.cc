@@ -68,6 +68,9 @@ std::vector<Face> ReadFaces(const YamlMap& root, const std::vector<std::string>&
     for (const std::string& corner : map.Texts(name))
       face.corners.push_back(ReadCorner(map, name, names, corner));
     if (face.corners.size() < 3) throw InputError(map.At(name, "needs at least 3 corners"));
+    if (face.corners.size() > kMaxFaceCorners) {
+      throw InputError(map.At(name, fmt::format("has more than {} corners", kMaxFaceCorners)));
+    }
     faces.push_back(std::move(face));
   }
   return faces;

@@ -119,26 +119,32 @@ std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWirefram
   return MatchSegments(projected, view.segments, gate).matches;
 }
 
-// Association and resection in turn, with a gate that shrinks from round to round.
-void Refine(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
-            Candidate& candidate, EstimatorTimes& times) {
+// One round of association and resection.
+void RefineOnce(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
+                int round, Candidate& candidate, EstimatorTimes& times) {
+  if (!candidate.finite) return;
   ProjectedWireframe projected;
   const BoxSides& sides = candidate.hypothesis.sides;
-  for (int round = 0; round < options.rounds && candidate.finite; ++round) {
-    const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
-    {
-      const StageClock clock(times.association_ms);
-      Project(view, candidate.estimate, sides, projected);
-      candidate.matches = Associate(view, projected, GateOfRound(view, options, progress), options);
-    }
-    const StageClock clock(times.optimization_ms);
-    const ResectionResult result =
-        Resect(view, sides, candidate.matches, projected, candidate.estimate, options.box, resection);
-    candidate.iterations += result.iterations;
-    candidate.finite = result.finite;
-    if (result.finite) candidate.estimate = result.estimate;
+  const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
+  {
+    const StageClock clock(times.association_ms);
+    Project(view, candidate.estimate, sides, projected);
+    candidate.matches = Associate(view, projected, GateOfRound(view, options, progress), options);
   }
+  const StageClock clock(times.optimization_ms);
+  const ResectionResult result =
+      Resect(view, sides, candidate.matches, projected, candidate.estimate, options.box, resection);
+  candidate.iterations += result.iterations;
+  candidate.finite = result.finite;
+  if (result.finite) candidate.estimate = result.estimate;
+}
+
+// The matches and the cost of where the rounds have led.
+void Conclude(const ObjectView& view, const AssociationOptions& options, Candidate& candidate,
+              EstimatorTimes& times) {
   const StageClock clock(times.association_ms);
+  ProjectedWireframe projected;
+  const BoxSides& sides = candidate.hypothesis.sides;
   Project(view, candidate.estimate, sides, projected);
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
   if (options.cost == "printed") {
@@ -150,6 +156,42 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
   candidate.cost =
       PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +
       LineCost(view, projected, matching.covered_length, options.coverage);
+}
+
+// Whether two candidates are on the way to the same place.
+bool HaveMet(const Candidate& a, const Candidate& b) {
+  constexpr double kDistance = 0.01;  // share of the distance from the camera
+  constexpr double kTurn = 1 * kDegree;
+  constexpr double kShape = 0.3;  // standard deviations
+  if (!a.finite || !b.finite || a.hypothesis.sides != b.hypothesis.sides) return false;
+  const Eigen::Isometry3d &A = a.estimate.T_camera_object, &B = b.estimate.T_camera_object;
+  if ((A.translation() - B.translation()).norm() > kDistance * A.translation().norm()) return false;
+  if ((a.estimate.coefficients - b.estimate.coefficients).norm() > kShape) return false;
+  // trace(A^T B) = 1 + 2 cos(angle)
+  return A.linear().cwiseProduct(B.linear()).sum() > 1 + 2 * std::cos(kTurn);
+}
+
+// Of candidates that have met the first, which was ranked better, goes on.
+void DropThoseThatMet(std::vector<Candidate>& candidates) {
+  std::vector<Candidate> kept;
+  for (Candidate& candidate : candidates) {
+    const bool met = std::any_of(kept.begin(), kept.end(),
+                                 [&](const Candidate& other) { return HaveMet(other, candidate); });
+    if (!met) kept.push_back(std::move(candidate));
+  }
+  candidates = std::move(kept);
+}
+
+// Association and resection in turn, with a gate that shrinks from round to round.
+void Refine(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
+            std::vector<Candidate>& candidates, EstimatorTimes& times) {
+  for (int round = 0; round < options.rounds; ++round) {
+    for (Candidate& candidate : candidates) {
+      RefineOnce(view, options, resection, round, candidate, times);
+    }
+    DropThoseThatMet(candidates);
+  }
+  for (Candidate& candidate : candidates) Conclude(view, options, candidate, times);
 }
 
 EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
@@ -173,11 +215,16 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
   ObjectView without_priors = view;
   without_priors.memory.reset();
   without_priors.detection.azimuth.reset();
-  Candidate as_is = best, turned = best;
-  turned.estimate.T_camera_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
-  Refine(without_priors, association, resection, as_is, times);
+  std::vector<Candidate> turned = {best};
+  turned.front().estimate.T_camera_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
   Refine(without_priors, association, resection, turned, times);
-  return turned.finite && turned.cost <= as_is.cost + association.ambiguity_margin;
+  if (!turned.front().finite) return false;
+  std::vector<Candidate> as_is = {best};
+  Conclude(without_priors, association, as_is.front(), times);
+  // Refining without the priors makes it better still: mostly the answer is known without.
+  if (turned.front().cost > as_is.front().cost + association.ambiguity_margin) return false;
+  Refine(without_priors, association, resection, as_is, times);
+  return turned.front().cost <= as_is.front().cost + association.ambiguity_margin;
 }
 
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
@@ -215,7 +262,7 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
     const StageClock clock(times.association_ms);
     candidates = Diverse(Search(view, association), association, view.model->spec.symmetry_order);
   }
-  for (Candidate& candidate : candidates) Refine(view, association, resection, candidate, times);
+  Refine(view, association, resection, candidates, times);
   const auto best = std::min_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
