@@ -83,6 +83,7 @@ std::vector<ShapePoint> KeypointsOf(const CategoryModel& model) {
     for (const double s : {-0.5, 0.5}) AddEnd(PointOnEdge(model, edge, s), corners);
   }
   std::vector<ShapePoint> keypoints;
+  keypoints.reserve(corners.size());
   for (const Corner& corner : corners) {
     keypoints.push_back({corner.sum.X0 / corner.ends, corner.sum.G / corner.ends});
   }

@@ -49,7 +49,7 @@ Tensor NetworkBuilder::BatchNorm(const Tensor& in) {
   const std::vector<int> shape = {in.channels};
   parameters.blobs = {Uniform(shape, -0.1, 0.1), Uniform(shape, 0.9, 1.1), Uniform(shape, 0.9, 1.1),
                       Uniform(shape, -0.1, 0.1)};
-  cost_.parameters -= 2 * in.channels;
+  cost_.parameters -= std::int64_t{2} * in.channels;
   return Add("BatchNorm", parameters, {in}, in.channels, in.size);
 }
 

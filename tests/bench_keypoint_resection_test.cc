@@ -41,6 +41,7 @@ TEST(KeypointResection, AKeypointIsTheMeanOfItsEnds) {
 
 std::vector<SeenKeypoint> SeeAll(const SyntheticView& synthetic, const std::vector<ShapePoint>& keypoints) {
   std::vector<SeenKeypoint> seen;
+  seen.reserve(keypoints.size());
   const Eigen::Matrix3Xd points = KeypointsAt(keypoints, synthetic.truth);
   for (int i = 0; i < points.cols(); ++i) seen.push_back({i, synthetic.camera.Project(points.col(i))});
   return seen;
