@@ -70,7 +70,7 @@ std::string Field(const std::optional<double>& milliseconds) {
 std::string RawRow(const BenchSection& section, const BenchRow& row) {
   std::string stages;
   for (const auto& stage : row.outcome.stages_ms) stages += Field(stage) + ",";
-  return fmt::format("{},{},\"{}\",{},{},{},{},{}{},{}\n", section.name, section.sequence, row.contender,
+  return fmt::format("{},{},{},{},{},{},{},{}{},{}\n", section.name, section.sequence, row.contender,
                      row.repetition, row.input, row.outcome.objects, row.outcome.segments, stages,
                      Field(row.outcome.added_ms), Field(row.total_ms()));
 }

@@ -49,40 +49,12 @@ std::vector<BenchRow> RaceDetectors(const BenchTask& task, const std::vector<Det
   return Race(contenders, task.sequence.frames.size(), task.settings.harness);
 }
 
-std::optional<SpanStatistics> Statistics(const std::vector<BenchRow>& rows, const std::string& name,
-                                         std::string_view span) {
-  return StatisticsOf(DurationsOf(rows, name, span));
-}
-
-// Median over the frames with objects.
-std::optional<double> ProcessingAnObject(const std::vector<BenchRow>& rows, const std::string& name) {
-  std::vector<double> values;
-  for (const BenchRow& row : rows) {
-    if (row.contender != name || row.outcome.objects == 0) continue;
-    values.push_back(DurationOf(row, kProcessing).value_or(0) / row.outcome.objects);
-  }
-  const auto statistics = StatisticsOf(values);
-  return statistics ? std::optional(statistics->median) : std::nullopt;
-}
-
 std::optional<double> MedianSegments(const std::vector<BenchRow>& rows, const std::string& name) {
-  std::vector<double> values;
+  std::vector<double> segments;
   for (const BenchRow& row : rows) {
-    if (row.contender == name) values.push_back(row.outcome.segments);
+    if (row.contender == name) segments.push_back(row.outcome.segments);
   }
-  const auto statistics = StatisticsOf(values);
-  return statistics ? std::optional(statistics->median) : std::nullopt;
-}
-
-// On top of the detector, median over the frames.
-std::optional<double> MedianOnTop(const std::vector<BenchRow>& rows, const std::string& name) {
-  std::vector<double> values;
-  for (const BenchRow& row : rows) {
-    if (row.contender != name) continue;
-    values.push_back(row.total_ms() - row.outcome.stage(BenchStage::kDetection).value_or(0));
-  }
-  const auto statistics = StatisticsOf(values);
-  return statistics ? std::optional(statistics->median) : std::nullopt;
+  return MiddleOf(segments);
 }
 
 Cell RecallCell(const EdgeRecall& recall) { return PercentCell(recall.covered, recall.visible); }
@@ -140,7 +112,7 @@ std::vector<DetectorChoice> DetectorChoices(const LineOptions& options) {
         lines.detector = name;
         lines.published = published;
         lines.boxes_only = boxes_only;
-        choices.push_back({lines, fmt::format("{}, {}, {}", name, ParametersName(lines), RegionName(lines))});
+        choices.push_back({lines, fmt::format("{} {} {}", name, ParametersName(lines), RegionName(lines))});
       }
     }
   }
@@ -155,13 +127,13 @@ Table DetectorTable(const std::vector<DetectorChoice>& choices, const std::vecto
                    "azimuth [deg]", "within 15 deg [%]", "translation [%]", "with pose [%]"};
   for (size_t i = 0; i < choices.size(); ++i) {
     const std::string& name = choices[i].name;
-    const auto lines = Statistics(rows, name, kBenchStageNames[0]);
+    const auto lines = StatisticsOf(DurationsOf(rows, name, kBenchStageNames[0]));
     std::vector<Cell>& row = table.rows.emplace_back(ChoiceCells(choices[i]));
     row.push_back(lines ? NumberCell(lines->median, 2) : NoCell());
     row.push_back(lines ? NumberCell(lines->p90, 2) : NoCell());
-    row.push_back(NumberCell(MedianOnTop(rows, name), 2));
+    row.push_back(NumberCell(MedianOf(rows, name, kOnTop), 2));
     row.push_back(NumberCell(MedianOf(rows, name, kTotal), 2));
-    row.push_back(NumberCell(ProcessingAnObject(rows, name), 3));
+    row.push_back(NumberCell(MiddleOf(DurationsAnObject(rows, name, kProcessing)), 3));
     row.push_back(NumberCell(MedianSegments(rows, name), 0));
     AddAccuracy(findings[i], row);
   }

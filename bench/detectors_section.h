@@ -12,7 +12,7 @@ namespace armature {
 // A detector with its parameters, in the whole image or in the boxes only.
 struct DetectorChoice {
   LineOptions lines;
-  std::string name;  // "lsd, tuned, whole image"
+  std::string name;  // "lsd tuned whole image"
 };
 
 // Every detector with tuned and published parameters, in the whole image and in the boxes only; what else

@@ -10,10 +10,9 @@ LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
 
 std::string LinesEngine::Description() const {
   return fmt::format(
-      "our pipeline, as `armature run` processes a frame. detection: {} ({}) in {}; association: hypotheses "
-      "and matches; optimization: pose and shape; mapping: up, floor, tracks and the growing map, without "
-      "its solution after the last frame",
-      options_.lines.detector, options_.lines.published ? "published parameters" : "tuned parameters",
+      "our pipeline, as `armature run` processes a frame, with {} ({} parameters) in {}; the map's "
+      "solution after the last frame is not part of it",
+      options_.lines.detector, options_.lines.published ? "published" : "tuned",
       options_.lines.boxes_only ? "the boxes only" : "the whole image");
 }
 

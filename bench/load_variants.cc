@@ -38,7 +38,7 @@ void Vary(const Search& search, LoadVariant& variant) {
                                  ? "all shapes"
                                  : fmt::format("{} shape{}", search.shapes, search.shapes == 1 ? "" : "s");
   variant.setting =
-      fmt::format("azimuths every {} deg within {}, {}", search.step_deg, search.spread_deg, shapes);
+      fmt::format("azimuths every {} deg within {} and {}", search.step_deg, search.spread_deg, shapes);
 }
 
 void Vary(int most_segments, LoadVariant& variant) {

@@ -15,7 +15,7 @@ enum class Load { kHypotheses, kSegments, kImageSize };
 
 struct LoadVariant {
   Load load = Load::kHypotheses;
-  std::string setting;  // "azimuths every 15 deg within 30, 2 shapes"
+  std::string setting;  // "azimuths every 15 deg within 30 and 2 shapes"
   Options options;
   std::vector<CategoryModel> models;
   const BenchSequence* sequence = nullptr;

@@ -23,22 +23,6 @@ struct Entrant {
   std::vector<double> hypotheses, segments;  // a frame with objects, means over its objects
 };
 
-std::optional<double> Middle(const std::vector<double>& values) {
-  const auto statistics = StatisticsOf(values);
-  return statistics ? std::optional(statistics->median) : std::nullopt;
-}
-
-// Milliseconds an object of a span, a value a frame with objects.
-std::vector<double> AnObject(const std::vector<BenchRow>& rows, const std::string& name,
-                             std::string_view span) {
-  std::vector<double> values;
-  for (const BenchRow& row : rows) {
-    if (row.contender != name || row.outcome.objects == 0) continue;
-    values.push_back(DurationOf(row, span).value_or(0) / row.outcome.objects);
-  }
-  return values;
-}
-
 Contender ContenderOf(Entrant& entrant) {
   Contender contender = ContenderOf(entrant.variant.name(), entrant.engine, *entrant.variant.sequence);
   contender.after = [&entrant](BenchRow& row) {
@@ -54,8 +38,8 @@ Contender ContenderOf(Entrant& entrant) {
 
 // What was varied, as a number.
 std::optional<double> AmountOf(const Entrant& entrant) {
-  if (entrant.variant.load == Load::kHypotheses) return Middle(entrant.hypotheses);
-  if (entrant.variant.load == Load::kSegments) return Middle(entrant.segments);
+  if (entrant.variant.load == Load::kHypotheses) return MiddleOf(entrant.hypotheses);
+  if (entrant.variant.load == Load::kSegments) return MiddleOf(entrant.segments);
   const Camera& camera = entrant.variant.sequence->camera;
   return 1e-6 * camera.width * camera.height;
 }
@@ -77,7 +61,7 @@ BenchSeries SeriesOf(Load load, const std::vector<const Entrant*>& entrants,
     const std::string name = entrant->variant.name();
     const auto amount = AmountOf(*entrant);
     const auto statistics = StatisticsOf(is_size ? DurationsOf(rows, name, kBenchStageNames[0])
-                                                 : AnObject(rows, name, kBenchStageNames[1]));
+                                                 : DurationsAnObject(rows, name, kBenchStageNames[1]));
     if (!amount || !statistics) continue;
     series.points.push_back({*amount, *statistics});
     medians.push_back({*amount, statistics->median});
@@ -101,13 +85,13 @@ Table LoadTable(Load load, const std::vector<const Entrant*>& entrants, const st
                    "total [ms]"};
   for (const Entrant* entrant : entrants) {
     const std::string name = entrant->variant.name();
-    const auto amount = is_size ? AmountOf(*entrant) : Middle(entrant->hypotheses);
+    const auto amount = is_size ? AmountOf(*entrant) : MiddleOf(entrant->hypotheses);
     table.rows.push_back({TextCell(entrant->variant.setting), NumberCell(amount, is_size ? 3 : 0),
-                          NumberCell(Middle(entrant->segments), 0),
+                          NumberCell(MiddleOf(entrant->segments), 0),
                           CountCell(static_cast<long>(DurationsOf(rows, name, kTotal).size())),
                           NumberCell(MedianOf(rows, name, kBenchStageNames[0]), 3),
-                          NumberCell(Middle(AnObject(rows, name, kBenchStageNames[1])), 3),
-                          NumberCell(Middle(AnObject(rows, name, kBenchStageNames[2])), 3),
+                          NumberCell(MiddleOf(DurationsAnObject(rows, name, kBenchStageNames[1])), 3),
+                          NumberCell(MiddleOf(DurationsAnObject(rows, name, kBenchStageNames[2])), 3),
                           NumberCell(MedianOf(rows, name, kTotal), 3)});
   }
   return table;

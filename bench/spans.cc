@@ -27,6 +27,7 @@ std::optional<double> Processing(const FrameOutcome& outcome) {
 std::optional<double> DurationOf(const BenchRow& row, std::string_view span) {
   if (span == kTotal) return row.total_ms();
   if (span == kProcessing) return Processing(row.outcome);
+  if (span == kOnTop) return row.total_ms() - row.outcome.stage(BenchStage::kDetection).value_or(0);
   if (span == kOther) return row.total_ms() - SumOf(row.outcome);
   const auto found = std::find(kBenchStageNames.begin(), kBenchStageNames.end(), span);
   if (found == kBenchStageNames.end()) throw std::logic_error("no such span: " + std::string(span));
@@ -43,10 +44,24 @@ std::vector<double> DurationsOf(const std::vector<BenchRow>& rows, const std::st
   return durations;
 }
 
+std::optional<double> MiddleOf(const std::vector<double>& values) {
+  const auto statistics = StatisticsOf(values);
+  return statistics ? std::optional(statistics->median) : std::nullopt;
+}
+
 std::optional<double> MedianOf(const std::vector<BenchRow>& rows, const std::string& contender,
                                std::string_view span) {
-  const auto statistics = StatisticsOf(DurationsOf(rows, contender, span));
-  return statistics ? std::optional(statistics->median) : std::nullopt;
+  return MiddleOf(DurationsOf(rows, contender, span));
+}
+
+std::vector<double> DurationsAnObject(const std::vector<BenchRow>& rows, const std::string& contender,
+                                      std::string_view span) {
+  std::vector<double> durations;
+  for (const BenchRow& row : rows) {
+    if (row.contender != contender || row.outcome.objects == 0) continue;
+    if (const auto duration = DurationOf(row, span)) durations.push_back(*duration / row.outcome.objects);
+  }
+  return durations;
 }
 
 std::vector<NamedSpan> SpansOf(const std::string& table, const std::string& sequence,

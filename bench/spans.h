@@ -15,6 +15,8 @@ namespace armature {
 inline constexpr std::string_view kTotal = "total";
 // Association and optimization together: what comes for each object once lines are found.
 inline constexpr std::string_view kProcessing = "association + optimization";
+// The total without the detection.
+inline constexpr std::string_view kOnTop = "on top";
 // What the total holds beside the stages.
 inline constexpr std::string_view kOther = "other";
 
@@ -28,6 +30,13 @@ std::vector<double> DurationsOf(const std::vector<BenchRow>& rows, const std::st
 // Median of such durations, none of nothing.
 std::optional<double> MedianOf(const std::vector<BenchRow>& rows, const std::string& contender,
                                std::string_view span);
+
+// The median of values, none of none.
+std::optional<double> MiddleOf(const std::vector<double>& values);
+
+// Milliseconds of a span for each object, in those rows that have any.
+std::vector<double> DurationsAnObject(const std::vector<BenchRow>& rows, const std::string& contender,
+                                      std::string_view span);
 
 // The contenders' stages and totals; a stage that never ran has none.
 std::vector<NamedSpan> SpansOf(const std::string& table, const std::string& sequence,
