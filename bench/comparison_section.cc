@@ -10,7 +10,7 @@
 #include "bench/paper_figures.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
-#include "bench/sparse_contender.h"
+#include "bench/sparse_inputs.h"
 #include "io/errors.h"
 
 namespace armature {
@@ -42,8 +42,8 @@ std::vector<BenchRow> RaceEngines(const BenchTask& task) {
     contenders.push_back(ContenderOf(name, *engines.back(), sequence));
     contenders.back().after = [](BenchRow& row) { row.outcome.estimates.clear(); };
     if (!engines.back()->IsStateless()) continue;
-    MakeSparse(contenders.back(), is_used, sequence.frames.size(), settings.harness.warm_up,
-               settings.baseline_frames);
+    contenders.back().wants = OneOf(
+        SparseInputs(is_used, sequence.frames.size(), settings.harness.warm_up, settings.baseline_frames));
   }
   return Race(contenders, sequence.frames.size(), settings.harness);
 }

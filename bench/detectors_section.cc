@@ -89,7 +89,8 @@ std::vector<std::string> Notes(const BenchTask& task, const std::string& fastest
       {"lines: detection, dropping what is short, undistorting. total: the whole frame; on top: total less "
        "lines. an object: association and optimization over the frame's objects. Medians, lines also the "
        "90th percentile.",
-       "segments: median an image. recall: see the next table.",
+       "segments: median an image. recall: see the next table, for which edges_gt.csv or CAD models (--cad) "
+       "are needed.",
        "azimuth, translation: median errors of the poses of these frames' true objects, of the direction "
        "from "
        "which the camera sees the object and of |t - t_true| / |t_true|. within 15 deg, with pose: shares of "
@@ -146,11 +147,12 @@ Table RecallTable(const std::vector<DetectorChoice>& choices, const std::vector<
     for (const auto& [category, recall] : f.recall) categories.insert(category);
   }
   Table table;
-  table.columns = {"detector", "parameters", "lines in"};
+  table.columns = {"detector", "parameters", "lines in", "n"};
   for (const std::string& category : categories) table.columns.push_back(category + " [%]");
   table.columns.push_back("all [%]");
   for (size_t i = 0; i < choices.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back(ChoiceCells(choices[i]));
+    row.push_back(CountCell(findings[i].detections));
     for (const std::string& category : categories) {
       const auto found = findings[i].recall.find(category);
       row.push_back(found == findings[i].recall.end() ? NoCell() : RecallCell(found->second));
@@ -159,9 +161,8 @@ Table RecallTable(const std::vector<DetectorChoice>& choices, const std::vector<
   }
   const EdgeTolerance tolerance;
   table.notes = {fmt::format(
-      "Share of the length of the detected objects' own edges, in the image and not hidden, beside which "
-      "some segment runs within {} px and {} degrees; a dash without edges_gt.csv or known CAD models "
-      "(--cad).",
+      "n: detections of true objects. Share of the length of their own edges, in the image and not hidden, "
+      "beside which some segment runs within {} px and {} degrees; by edges_gt.csv or CAD models (--cad).",
       tolerance.distance, tolerance.angle_deg)};
   return table;
 }
@@ -192,11 +193,13 @@ BenchSection DetectorsSection(const BenchTask& task) {
   std::vector<std::string> names;
   for (const DetectorChoice& choice : choices) names.push_back(choice.name);
   section.spans = SpansOf(section.name, section.sequence, section.rows, names);
-  section.tables = {DetectorTable(choices, section.rows, findings), RecallTable(choices, findings)};
+  section.tables = {DetectorTable(choices, section.rows, findings)};
   const int fastest = FastestAsAccurateAsLsd(choices, section.rows, findings);
   section.tables[0].notes = Notes(task, fastest < 0 ? "" : names[static_cast<size_t>(fastest)]);
   section.tables[0].title = task.sequence.name + ": line detectors, time and accuracy";
-  section.tables[1].title = task.sequence.name + ": line detectors, recall of true edges";
+  if (AllRecall(findings.front()).visible <= 0) return section;
+  section.tables.push_back(RecallTable(choices, findings));
+  section.tables.back().title = task.sequence.name + ": line detectors, recall of true edges";
   return section;
 }
 

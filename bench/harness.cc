@@ -20,7 +20,7 @@ BenchRow Run(const Contender& contender, size_t repetition, size_t input) {
 }
 
 // A contender in one repetition.
-struct Entrant {
+struct Starter {
   const Contender* contender;
   size_t wanted = 0;  // inputs after the warm-up that it wanted so far
 
@@ -33,18 +33,18 @@ struct Entrant {
 
 void RaceOnce(const std::vector<Contender>& contenders, size_t inputs, size_t warm_up, size_t repetition,
               std::vector<BenchRow>& rows) {
-  std::vector<Entrant> entrants;
+  std::vector<Starter> starters;
   for (const Contender& contender : contenders) {
     if (contender.start) contender.start();
-    entrants.push_back({&contender});
+    starters.push_back({&contender});
   }
   for (size_t input = 0; input < inputs; ++input) {
-    for (size_t turn = 0; turn < entrants.size(); ++turn) {
-      Entrant& entrant = entrants[(input + turn) % entrants.size()];
-      if (!entrant.TakesPart(input, input < warm_up)) continue;
-      BenchRow row = Run(*entrant.contender, repetition, input);
+    for (size_t turn = 0; turn < starters.size(); ++turn) {
+      Starter& starter = starters[(input + turn) % starters.size()];
+      if (!starter.TakesPart(input, input < warm_up)) continue;
+      BenchRow row = Run(*starter.contender, repetition, input);
       if (input < warm_up) continue;
-      if (entrant.contender->after) entrant.contender->after(row);
+      if (starter.contender->after) starter.contender->after(row);
       rows.push_back(std::move(row));
     }
   }

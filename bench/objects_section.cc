@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <deque>
+#include <map>
 
 #include "bench/bench_sequence.h"
 #include "bench/paper_figures.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
-#include "bench/sparse_contender.h"
+#include "bench/sparse_inputs.h"
 
 namespace armature {
 namespace {
@@ -33,39 +35,61 @@ size_t BaselineFrames(const BenchSettings& settings) {
 
 // Frames, engines and contenders of all counts; contenders refer to the others, which do not move.
 struct Entrants {
-  std::deque<FilledSequence> filled;  // one a count
+  std::deque<FilledSequence> filled;     // one a count
+  std::deque<BenchSequence> few_frames;  // one a baseline
   std::vector<std::unique_ptr<Engine>> engines;
   std::vector<Contender> contenders;
 };
 
-void AddEntrant(const BenchTask& task, const std::string& name, Engine& engine, size_t count,
-                Entrants& entrants) {
-  const auto has_objects = [&task](size_t input) {
-    return !task.sequence.frames[input].input.detections.empty();
-  };
-  const auto at = std::find(kCounts.begin(), kCounts.end(), count) - kCounts.begin();
-  const BenchSequence& sequence = entrants.filled[static_cast<size_t>(at)].sequence;
-  Contender contender = ContenderOf(EntrantName(name, count), engine, sequence);
-  contender.wants = has_objects;
+std::function<bool(size_t)> HasObjects(const BenchSequence& sequence) {
+  return [&sequence](size_t input) { return !sequence.frames[input].input.detections.empty(); };
+}
+
+void AddContender(Contender contender, Entrants& entrants) {
   contender.after = [](BenchRow& row) { row.outcome.estimates.clear(); };
-  if (engine.IsStateless()) {
-    MakeSparse(contender, has_objects, sequence.frames.size(), task.settings.harness.warm_up,
-               BaselineFrames(task.settings));
-  }
   entrants.contenders.push_back(std::move(contender));
+}
+
+// An engine a count, each with a memory of its own.
+void AddRemembering(const BenchTask& task, const std::string& name, Entrants& entrants) {
+  for (size_t i = 0; i < kCounts.size(); ++i) {
+    const BenchSequence& sequence = entrants.filled[i].sequence;
+    Engine& engine = *entrants.engines.emplace_back(MakeEngine(name, task.parts));
+    Contender contender = ContenderOf(EntrantName(name, kCounts[i]), engine, sequence);
+    contender.wants = HasObjects(task.sequence);
+    AddContender(std::move(contender), entrants);
+  }
+}
+
+// One engine for all counts, as its network is large; it is given a few frames of each count, in one
+// sequence, as what it prepares for a frame is large too.
+void AddBaseline(const BenchTask& task, const std::string& name, Entrants& entrants) {
+  const std::vector<size_t> inputs =
+      SparseInputs(HasObjects(task.sequence), task.sequence.frames.size(), task.settings.harness.warm_up,
+                   BaselineFrames(task.settings));
+  BenchSequence& few = entrants.few_frames.emplace_back(FirstFrames(task.sequence, 0));
+  Engine& engine = *entrants.engines.emplace_back(MakeEngine(name, task.parts));
+  for (size_t i = 0; i < kCounts.size(); ++i) {
+    std::map<size_t, size_t> frame_of_input;
+    for (const size_t input : inputs) {
+      frame_of_input[input] = few.frames.size();
+      few.frames.push_back(entrants.filled[i].sequence.frames[input]);
+    }
+    Contender contender = ContenderOf(EntrantName(name, kCounts[i]), engine, few);
+    if (i > 0) contender.start = {};  // the first one starts it for all
+    contender.run = [&engine, &few, frame_of_input](size_t input) {
+      return engine.Process(few.frames[frame_of_input.at(input)]);
+    };
+    contender.wants = OneOf(inputs);
+    AddContender(std::move(contender), entrants);
+  }
 }
 
 Entrants MakeEntrants(const BenchTask& task) {
   Entrants entrants;
   for (const size_t count : kCounts) entrants.filled.push_back(WithObjects(task.sequence, count));
-  for (const std::string& name : task.settings.engines) {
-    for (const size_t count : kCounts) {
-      // One of those that remember nothing serves all counts: the network's weights are large.
-      if (count == kCounts.front() || !entrants.engines.back()->IsStateless())
-        entrants.engines.push_back(MakeEngine(name, task.parts));
-      AddEntrant(task, name, *entrants.engines.back(), count, entrants);
-    }
-  }
+  for (const std::string& name : task.settings.engines)
+    (IsLinesEngine(name) ? AddRemembering : AddBaseline)(task, name, entrants);
   return entrants;
 }
 

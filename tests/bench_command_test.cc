@@ -83,6 +83,7 @@ TEST(BenchCommand, BadInput) {
   ExpectBadInput({"bench", sequence, "--engines", "lines:fats"}, {"lines:fats", "lines:fast"});
   ExpectBadInput({"bench", sequence, "--threads", "0"}, {"--threads 0", "1 or more"});
   ExpectBadInput({"bench", sequence, "--warm-up", "-1"}, {"--warm-up -1"});
+  ExpectBadInput({"bench", sequence, sequence, "--warm-up", "1"}, {"second sequence", "tiny"});
   ExpectBadInput({"bench", sequence}, {"2 frames", "warm-up of 5"});
   ExpectBadInput({"bench", sequence, "--frames", "1"}, {"1 frames", "object"});
   ExpectBadInput({"bench", sequence, "--warm-up", "1"}, {"exactly 3 objects", "there are: 2", "--objects"});

@@ -2,7 +2,7 @@
 // Who takes part in which input, and what of it counts.
 #include <gtest/gtest.h>
 
-#include "bench/sparse_contender.h"
+#include "bench/sparse_inputs.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"
 
@@ -61,7 +61,7 @@ TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {
   std::vector<Contender> contenders{ContenderOf("sparse", sparse, sequence),
                                     ContenderOf("full", full, sequence)};
   const auto is_used = [&](size_t input) { return sequence.frames[input].input.detections.size() == 3; };
-  MakeSparse(contenders[0], is_used, 10, 3, 2);
+  contenders[0].wants = OneOf(SparseInputs(is_used, 10, 3, 2));
   const auto rows = Race(contenders, 10, {.warm_up = 3});
   EXPECT_EQ(InputsOf(rows, "sparse"), (std::vector<size_t>{3, 7, 9}));  // every second one
   EXPECT_EQ(sparse.seen.size(), 3u + kSparseWarmUp);

@@ -50,13 +50,22 @@ BenchSettings SettingsOf(const BenchArguments& a, const EngineParts& parts) {
   return settings;
 }
 
+void CheckNameIsNew(const Sequence& sequence, const std::vector<LoadedSequence>& loaded) {
+  for (const LoadedSequence& other : loaded) {
+    if (other.sequence.name != sequence.name) continue;
+    throw InputError(fmt::format("{}: a second sequence named '{}', tables could not be told apart; give one",
+                                 sequence.folder.string(), sequence.name));
+  }
+}
+
 std::vector<LoadedSequence> LoadAll(const BenchArguments& a, const std::vector<CategoryModel>& models) {
   const CadLibrary cad = a.cad.empty() ? CadLibrary() : CadLibrary(a.cad, SpecsOf(models));
   std::vector<LoadedSequence> loaded;
   for (const fs::path& folder : a.sequences) {
+    const Sequence sequence = LoadSequence(folder, CategoryNames(models));
+    CheckNameIsNew(sequence, loaded);
     LoadedSequence& to = loaded.emplace_back();
-    to.sequence =
-        LoadBenchSequence(LoadSequence(folder, CategoryNames(models)), static_cast<size_t>(a.frames));
+    to.sequence = LoadBenchSequence(sequence, static_cast<size_t>(a.frames));
     to.truth = LoadFrameTruth(folder, to.sequence, models, cad);
   }
   return loaded;
