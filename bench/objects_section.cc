@@ -67,6 +67,7 @@ void AddBaseline(const BenchTask& task, const std::string& name, Entrants& entra
   const std::vector<size_t> inputs =
       SparseInputs(HasObjects(task.sequence), task.sequence.frames.size(), task.settings.harness.warm_up,
                    BaselineFrames(task.settings));
+  const auto first_counted = std::lower_bound(inputs.begin(), inputs.end(), task.settings.harness.warm_up);
   BenchSequence& few = entrants.few_frames.emplace_back(FirstFrames(task.sequence, 0));
   Engine& engine = *entrants.engines.emplace_back(MakeEngine(name, task.parts));
   for (size_t i = 0; i < kCounts.size(); ++i) {
@@ -80,7 +81,9 @@ void AddBaseline(const BenchTask& task, const std::string& name, Entrants& entra
     contender.run = [&engine, &few, frame_of_input](size_t input) {
       return engine.Process(few.frames[frame_of_input.at(input)]);
     };
-    contender.wants = OneOf(inputs);
+    // The largest count warms up the network for all.
+    const bool warms_up = i + 1 == kCounts.size();
+    contender.wants = OneOf({warms_up ? inputs.begin() : first_counted, inputs.end()});
     AddContender(std::move(contender), entrants);
   }
 }
