@@ -19,6 +19,37 @@ BenchRow Run(const Contender& contender, size_t repetition, size_t input) {
   return row;
 }
 
+// A contender in one repetition.
+struct Starter {
+  const Contender* contender;
+  size_t wanted = 0;  // inputs after the warm-up that it wanted so far
+
+  bool TakesPart(size_t input, bool warming_up) {
+    if (contender->wants && !contender->wants(input)) return false;
+    // Warm-up is of every contender, however seldom it takes part.
+    return warming_up || wanted++ % contender->every == 0;
+  }
+};
+
+void RaceOnce(const std::vector<Contender>& contenders, size_t inputs, size_t warm_up, size_t repetition,
+              std::vector<BenchRow>& rows) {
+  std::vector<Starter> starters;
+  for (const Contender& contender : contenders) {
+    if (contender.start) contender.start();
+    starters.push_back({&contender});
+  }
+  for (size_t input = 0; input < inputs; ++input) {
+    for (size_t turn = 0; turn < starters.size(); ++turn) {
+      Starter& starter = starters[(input + turn) % starters.size()];
+      if (!starter.TakesPart(input, input < warm_up)) continue;
+      BenchRow row = Run(*starter.contender, repetition, input);
+      if (input < warm_up) continue;
+      if (starter.contender->after) starter.contender->after(row);
+      rows.push_back(std::move(row));
+    }
+  }
+}
+
 }  // namespace
 
 Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequence& sequence) {
@@ -37,18 +68,7 @@ std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inpu
   }
   std::vector<BenchRow> rows;
   for (size_t repetition = 0; repetition < options.repetitions; ++repetition) {
-    for (const Contender& contender : contenders) {
-      if (contender.start) contender.start();
-    }
-    for (size_t input = 0; input < inputs; ++input) {
-      for (size_t turn = 0; turn < contenders.size(); ++turn) {
-        const Contender& contender = contenders[(input + turn) % contenders.size()];
-        // Warm-up is of every contender, however seldom it takes part.
-        if (input >= options.warm_up && (input - options.warm_up) % contender.every != 0) continue;
-        BenchRow row = Run(contender, repetition, input);
-        if (input >= options.warm_up) rows.push_back(std::move(row));
-      }
-    }
+    RaceOnce(contenders, inputs, options.warm_up, repetition, rows);
   }
   return rows;
 }

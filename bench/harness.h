@@ -11,23 +11,6 @@
 
 namespace armature {
 
-// Something that is timed: an engine on the frames of a sequence, or a stage on fixed inputs.
-struct Contender {
-  std::string name;
-  size_t every = 1;             // takes part only in every n-th input, for what is slow and remembers nothing
-  std::function<void()> start;  // before each repetition, not timed; may be empty
-  std::function<FrameOutcome(size_t input)> run;  // timed
-  double calls = 1;                               // that one `run` makes: rows are milliseconds a call
-};
-
-// Runs the engine on the sequence's frames. Both have to outlive the contender.
-Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequence& sequence);
-
-struct HarnessOptions {
-  size_t warm_up = 5;      // first inputs of each repetition that every contender sees, but that do not count
-  size_t repetitions = 1;  // of all inputs, from the start
-};
-
 // One timed run.
 struct BenchRow {
   std::string contender;
@@ -38,6 +21,27 @@ struct BenchRow {
 
   // What the frame costs: the time that passed and what was counted without waiting.
   double total_ms() const { return wall_ms + outcome.added_ms; }
+};
+
+// Something that is timed: an engine on the frames of a sequence, or a stage on fixed inputs.
+struct Contender {
+  std::string name;
+  size_t every = 1;             // takes part only in every n-th input, for what is slow and remembers nothing
+  std::function<void()> start;  // before each repetition, not timed; may be empty
+  std::function<FrameOutcome(size_t input)> run;  // timed
+  double calls = 1;                               // that one `run` makes: rows are milliseconds a call
+  // Whether it takes part in an input at all, warm-up included; `every` counts those. Empty: in each of them.
+  std::function<bool(size_t input)> wants{};
+  // Looks at a row that counts, not timed, and may take from it what need not be kept; may be empty.
+  std::function<void(BenchRow& row)> after{};
+};
+
+// Runs the engine on the sequence's frames. Both have to outlive the contender.
+Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequence& sequence);
+
+struct HarnessOptions {
+  size_t warm_up = 5;      // first inputs of each repetition that every contender sees, but that do not count
+  size_t repetitions = 1;  // of all inputs, from the start
 };
 
 // Rows in the order in which they were measured, without the warm-up. On each input the turn begins with

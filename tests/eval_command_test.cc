@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `armature eval` and `armature bench detectors` as their users start them.
+// `armature eval` as its users start it.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "support/program.h"
-#include "support/tiny_sequence.h"
 #include "support/true_world.h"
 
 namespace armature {
@@ -49,18 +48,6 @@ TEST(EvalCommand, BadInput) {
   ExpectBadInput({"eval", run, "--groundtruth", truth, "--cad", world.folder / "run"},
                  {"annotated CAD models"});
   ExpectBadInput({"eval", run, "--groundtruth", truth, "--format", "excel"}, {"excel"});
-}
-
-TEST(BenchCommand, ComparesDetectors) {
-  const testing::TempFolder folder;
-  WriteTinySequence(folder);
-  const auto result = RunOk({"bench", "detectors", folder.path(), "--json"});
-  const auto tables = nlohmann::json::parse(result.out);
-  ASSERT_EQ(tables.size(), 1u);
-  EXPECT_EQ(tables[0]["rows"].size(), 8u);  // four detectors, tuned and published
-  EXPECT_GT(tables[0]["rows"][0]["median [ms]"], 0);
-  EXPECT_EQ(tables[0]["rows"][0]["all recall [%]"], nullptr);
-  ExpectBadInput({"bench", "detectors", folder.path(), "--detector", "lzd"}, {"lzd", "lsd"});
 }
 
 }  // namespace

@@ -11,21 +11,28 @@
 
 namespace armature {
 
-struct DetectorBenchArguments {
+struct BenchArguments {
   std::vector<std::filesystem::path> sequences;
-  std::filesystem::path cad;           // folder of annotated CAD models; empty: recall by edges_gt.csv alone
-  std::vector<std::string> detectors;  // names; empty: all
-  int frames = 0;                      // the first so many images; 0: all
+  std::vector<std::string> tables;   // names; empty: all
+  std::vector<std::string> engines;  // names; empty: bench/engines.h's default
+  int frames = 0;                    // the first so many images; 0: all
+  int warm_up = 5;
+  int repeat = 1;
+  int threads = 1;
+  int objects = 3;            // of the frames that the comparison is of
+  int baseline_frames = 20;   // about so many are given to a baseline
+  std::filesystem::path cad;  // folder of annotated CAD models; empty: recall by edges_gt.csv alone
+  std::filesystem::path out;  // folder of results; empty: only printed
   std::string format = "text";
   bool json = false;
-  ConfigurationArguments configuration;  // its folder of category models
+  ConfigurationArguments configuration;
 };
 
-// Prints a table a sequence. Returns the exit status; throws InputError.
-int RunDetectorBench(const DetectorBenchArguments& arguments);
+// Reads and checks everything before the first clock starts, then prints the tables. Returns the exit status;
+// throws InputError.
+int RunBench(const BenchArguments& arguments);
 
-// Adds the sub-command with its benchmarks; once one is parsed, its callback runs it and stores the exit
-// status.
+// Adds the sub-command; once it is parsed, its callback runs RunBench and stores the exit status.
 void AddBenchCommand(CLI::App& app, int& exit_status);
 
 }  // namespace armature

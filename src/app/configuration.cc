@@ -82,6 +82,17 @@ Options LoadOptions(const ConfigurationArguments& arguments) {
   return options;
 }
 
+std::map<std::string, Options> LoadPresets(const ConfigurationArguments& arguments) {
+  std::map<std::string, Options> presets;
+  const fs::path folder = ConfigsFolder(arguments) / "presets";
+  for (const std::string& name : PresetNames(folder)) {
+    const std::vector<OptionEntry> table = OptionTable(presets[name]);
+    ApplyYaml(folder / (name + ".yaml"), table);
+    CheckOptions(table);
+  }
+  return presets;
+}
+
 std::vector<CategoryModel> LoadModels(const ConfigurationArguments& arguments) {
   return LoadCategories(arguments.categories.empty() ? ConfigsFolder(arguments) / "categories"
                                                      : arguments.categories);

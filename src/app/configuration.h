@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ void AddConfigurationArguments(CLI::App& command, ConfigurationArguments& argume
 // The options after preset, file and settings, checked. Throws InputError naming the file and line, or the
 // setting.
 Options LoadOptions(const ConfigurationArguments& arguments);
+
+// Every preset by name, alone: without file and settings. Throws InputError.
+std::map<std::string, Options> LoadPresets(const ConfigurationArguments& arguments);
 
 // The category models, sorted by file name. Throws InputError.
 std::vector<CategoryModel> LoadModels(const ConfigurationArguments& arguments);

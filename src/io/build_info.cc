@@ -26,6 +26,7 @@ BuildInfo GetBuildInfo() {
           .git_commit = ARMATURE_GIT_COMMIT,
           .git_dirty = ARMATURE_GIT_DIRTY,
           .compiler = kCompiler,
+          .flags = ARMATURE_CXX_FLAGS,
           .opencv = CV_VERSION,
           .eigen = fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
           .ceres = CERES_VERSION_STRING};

@@ -11,6 +11,7 @@ struct BuildInfo {
   std::string git_commit;  // 12 digits, or "unknown"
   bool git_dirty = false;  // files differed from the commit
   std::string compiler;
+  std::string flags;                 // build type and the compiler's flags
   std::string opencv, eigen, ceres;  // versions
 };
 

@@ -6,12 +6,14 @@
 
 namespace armature {
 
-bool IsCompleteRun(const std::filesystem::path& folder) {
-  std::ifstream stream(folder / "summary.json");
+bool SaysComplete(const std::filesystem::path& file) {
+  std::ifstream stream(file);
   if (!stream) return false;
-  const nlohmann::json summary = nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false);
-  if (!summary.is_object() || !summary.contains("complete")) return false;
-  return summary["complete"].is_boolean() && summary["complete"].get<bool>();
+  const nlohmann::json json = nlohmann::json::parse(stream, nullptr, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("complete")) return false;
+  return json["complete"].is_boolean() && json["complete"].get<bool>();
 }
+
+bool IsCompleteRun(const std::filesystem::path& folder) { return SaysComplete(folder / "summary.json"); }
 
 }  // namespace armature

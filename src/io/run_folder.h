@@ -8,6 +8,9 @@
 
 namespace armature {
 
+// Whether the file is JSON that says `"complete": true`.
+bool SaysComplete(const std::filesystem::path& file);
+
 // Whether the folder holds a finished run: a summary.json that says `"complete": true`.
 bool IsCompleteRun(const std::filesystem::path& folder);
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/lines_engine.h"
+
+#include <fmt/format.h>
+
+namespace armature {
+
+LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
+    : options_(std::move(options)), models_(std::move(models)) {}
+
+std::string LinesEngine::Description() const {
+  return fmt::format(
+      "our pipeline, as `armature run` processes a frame, with {} ({} parameters) in {}; the map's "
+      "solution after the last frame is not part of it",
+      options_.lines.detector, options_.lines.published ? "published" : "tuned",
+      options_.lines.boxes_only ? "the boxes only" : "the whole image");
+}
+
+void LinesEngine::Start(const BenchSequence& sequence) {
+  Options options = options_;
+  if (sequence.odometry_metric) options.mapping.scale = "none";  // as `armature run` has it
+  pipeline_ = std::make_unique<FramePipeline>(options, sequence.camera, models_, sequence.up_odom);
+}
+
+FrameOutcome LinesEngine::Process(const BenchFrame& frame) {
+  last_ = pipeline_->Process(frame.gray, frame.input);
+  FrameOutcome outcome;
+  outcome.stage(BenchStage::kDetection) = last_.times.lines;
+  outcome.stage(BenchStage::kAssociation) = last_.times.association;
+  outcome.stage(BenchStage::kOptimization) = last_.times.optimization;
+  outcome.stage(BenchStage::kMapping) = last_.times.mapping;
+  outcome.objects = static_cast<int>(last_.observations.size());
+  outcome.segments = static_cast<int>(last_.segments.size());
+  for (ObjectObservation& observation : last_.observations)
+    outcome.estimates.push_back(std::move(observation.estimate));
+  return outcome;
+}
+
+}  // namespace armature

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/bench_output.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "app/printed_tables.h"
+#include "io/run_folder.h"
+
+namespace armature {
+namespace {
+
+void WriteBenchFile(const std::filesystem::path& file, const std::string& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  stream.close();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written; is the disk full?");
+}
+
+// What makes a line a comment, or a paragraph of its own.
+std::pair<std::string, std::string> LineFrame(TableFormat format) {
+  if (format == TableFormat::kCsv) return {"# ", "\n"};
+  if (format == TableFormat::kLatex) return {"% ", "\n"};
+  return {"", format == TableFormat::kMarkdown ? "\n\n" : "\n"};
+}
+
+bool IsCompleteBench(const std::filesystem::path& folder) { return SaysComplete(folder / "bench.json"); }
+
+}  // namespace
+
+std::string BenchText(const BenchResults& results, TableFormat format) {
+  if (format == TableFormat::kJson) return BenchJson(results.environment, results.settings, results.report);
+  const auto [before, after] = LineFrame(format);
+  std::string text;
+  for (const std::string& line : EnvironmentLines(results.environment)) text += before + line + after;
+  if (format != TableFormat::kMarkdown) text += "\n";
+  std::vector<Table> tables;
+  for (const BenchSection& section : results.report.sections)
+    tables.insert(tables.end(), section.tables.begin(), section.tables.end());
+  return text + FormatTables(tables, format);
+}
+
+BenchFolder::BenchFolder(const std::filesystem::path& folder)
+    : OutputFolder(folder, {"a finished benchmark", IsCompleteBench}) {}
+
+void WriteBench(const BenchResults& results, BenchFolder& folder) {
+  const std::filesystem::path& to = folder.partial();
+  WriteBenchFile(to / "bench.json", BenchText(results, TableFormat::kJson));
+  WriteBenchFile(to / "raw.csv", RawCsv(results.report));
+  WriteBenchFile(to / "tables.txt", BenchText(results, TableFormat::kText));
+  WriteBenchFile(to / "tables.md", BenchText(results, TableFormat::kMarkdown));
+  WriteBenchFile(to / "tables.csv", BenchText(results, TableFormat::kCsv));
+  WriteBenchFile(to / "tables.tex", BenchText(results, TableFormat::kLatex));
+  folder.Publish();
+}
+
+}  // namespace armature

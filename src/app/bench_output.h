@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How `armature bench` hands out what it has measured.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bench/bench_json.h"
+#include "bench/bench_report.h"
+#include "bench/environment.h"
+#include "io/output_folder.h"
+#include "io/text_table.h"
+
+namespace armature {
+
+struct BenchResults {
+  BenchEnvironment environment;
+  SettingTexts settings;
+  BenchReport report;
+};
+
+// All tables below two lines that say where they were measured; as JSON all of bench.json.
+std::string BenchText(const BenchResults& results, TableFormat format);
+
+// Replaces only finished benchmarks: a bench.json that says `"complete": true`.
+class BenchFolder : public OutputFolder {
+ public:
+  explicit BenchFolder(const std::filesystem::path& folder);
+};
+
+// bench.json, raw.csv and tables.{txt,md,csv,tex}, then publishes the folder. Throws std::runtime_error for a
+// file that cannot be written.
+void WriteBench(const BenchResults& results, BenchFolder& folder);
+
+}  // namespace armature
