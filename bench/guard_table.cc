@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "bench/regression_guard.h"
+
+namespace armature {
+namespace {
+
+const char* VerdictName(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kSame:
+      return "same";
+    case Verdict::kSlower:
+      return "slower";
+    case Verdict::kFaster:
+      return "faster";
+    case Verdict::kTooFew:
+      return "too few";
+    case Verdict::kMissing:
+      return "missing";
+    case Verdict::kNew:
+      return "new";
+  }
+  return "";
+}
+
+Cell MedianCell(const std::optional<SpanStatistics>& s) {
+  return s ? NumberCell(s->median, s->median < 0.1 ? 5 : 3) : NoCell();
+}
+
+// Half of p10..p90.
+Cell SpreadCell(const std::optional<SpanStatistics>& s) {
+  return s ? NumberCell(50 * (s->p90 - s->p10) / s->median, 1) : NoCell();
+}
+
+std::vector<Cell> RowOf(const SpanComparison& span) {
+  const bool both = span.reference && span.now;
+  return {TextCell(span.key),
+          MedianCell(span.reference),
+          MedianCell(span.now),
+          both ? NumberCell(span.ratio, 3) : NoCell(),
+          SpreadCell(span.reference),
+          SpreadCell(span.now),
+          both ? NumberCell(100 * span.tolerance, 1) : NoCell(),
+          TextCell(VerdictName(span.verdict))};
+}
+
+std::string Sums(const GuardResult& result) {
+  std::string sums;
+  for (const Verdict verdict : {Verdict::kSlower, Verdict::kFaster, Verdict::kSame, Verdict::kTooFew,
+                                Verdict::kMissing, Verdict::kNew}) {
+    sums += fmt::format("{}{} {}", sums.empty() ? "" : ", ", result.Count(verdict), VerdictName(verdict));
+  }
+  return sums;
+}
+
+}  // namespace
+
+Table GuardTable(const GuardResult& result) {
+  Table table;
+  table.title = "Against the reference: " + Sums(result);
+  table.columns = {"span",           "reference [ms]", "now [ms]", "ratio", "spread then [%]",
+                   "spread now [%]", "tolerance [%]",  "verdict"};
+  for (const SpanComparison& span : result.spans) table.rows.push_back(RowOf(span));
+  table.notes = {
+      fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
+                  result.calibration_ratio),
+      "spread: half of p10..p90 over the median, of single values.",
+      "slower, faster: the ratio or its inverse is above 1 by more than the tolerance, which is 5 % and "
+      "three "
+      "standard errors of both medians and of the calibration's; too few: less than 5 values on a side."};
+  if (result.cpu_reference != result.cpu_now) {
+    table.notes.push_back(fmt::format(
+        "Another machine: the reference is of '{}', this is '{}'; ratios say little about the program.",
+        result.cpu_reference, result.cpu_now));
+  }
+  return table;
+}
+
+}  // namespace armature
