@@ -78,6 +78,8 @@ std::string SvgHeader() {
          "set terminal svg size 900,560 fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
          "set border 3 lc rgb '#404040'\n"
          "set tics nomirror out\n"
+         "set key tmargin center horizontal Left reverse samplen 2\n"
+         "set pointintervalbox 0\n"  // nothing is cut out around a point
          "set grid lt 1 lw 1 lc rgb '#dddddd'\n";
 }
 

@@ -16,7 +16,7 @@ std::string GnuplotNumber(double value);
 // Colours that the colour-blind can tell apart (Okabe and Ito 2008), "#rrggbb"; begins again after the last.
 std::string PlotColour(size_t index);
 
-// Size, fonts, white background and text that is taken literally: before every script.
+// Size, fonts, white background, legend above and text that is taken literally: before every script.
 std::string SvgHeader();
 
 // Runs the script; its picture becomes the file. Throws InputError when there is no gnuplot, it fails, or the

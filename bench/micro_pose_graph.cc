@@ -37,7 +37,7 @@ PoseGraphEdge Measured(const std::vector<Eigen::Isometry3d>& poses, size_t from,
 Contender SolveContender(const std::string& name, size_t poses) {
   const auto graph = std::make_shared<const PoseGraph>(NoisySphere(poses));
   Contender contender = MicroContender(name, 1, [graph] { SolvePoseGraph(*graph, {}); });
-  contender.every = 1 + poses / 250;  // a big one in every few turns is enough
+  contender.every = 1 + poses / 500;  // a big one in every few turns is enough
   return contender;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "bench/gnuplot.h"
@@ -13,13 +15,24 @@ namespace {
 
 bool IsDrawn(double value, bool log) { return std::isfinite(value) && (!log || value > 0); }
 
-size_t DrawnPoints(const Plot& plot) {
-  size_t drawn = 0;
+bool IsDrawn(const Plot& plot, const PlotSeries& series, size_t i) {
+  return IsDrawn(series.x[i], plot.log_x) && IsDrawn(series.y[i], plot.log_y);
+}
+
+// A little beyond the outermost points: gnuplot itself would go on to the next round number.
+std::string XRange(const Plot& plot) {
+  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (const PlotSeries& series : plot.series) {
-    for (size_t i = 0; i < series.y.size(); ++i)
-      drawn += IsDrawn(series.x[i], plot.log_x) && IsDrawn(series.y[i], plot.log_y) ? 1 : 0;
+    for (size_t i = 0; i < series.y.size(); ++i) {
+      if (!IsDrawn(plot, series, i)) continue;
+      low = std::min(low, series.x[i]);
+      high = std::max(high, series.x[i]);
+    }
   }
-  return drawn;
+  if (low > high) throw std::logic_error("plot: nothing to draw in " + plot.title);
+  if (plot.log_x) return fmt::format("set logscale x\nset xrange [{}:{}]\n", low / 1.15, high * 1.15);
+  const double margin = high > low ? 0.04 * (high - low) : 1;
+  return fmt::format("set xrange [{}:{}]\n", low - margin, high + margin);
 }
 
 void Check(const Plot& plot) {
@@ -28,14 +41,13 @@ void Check(const Plot& plot) {
     if (s.x.size() != s.y.size() || bars != s.high.size() || (bars != 0 && bars != s.y.size()))
       throw std::logic_error("plot: columns of different lengths in series " + s.name);
   }
-  if (DrawnPoints(plot) == 0) throw std::logic_error("plot: nothing to draw in " + plot.title);
 }
 
 std::string DataBlock(const Plot& plot, size_t index) {
   const PlotSeries& s = plot.series[index];
   std::string block = fmt::format("$data{} << EOD\n", index);
   for (size_t i = 0; i < s.y.size(); ++i) {
-    if (!IsDrawn(s.x[i], plot.log_x) || !IsDrawn(s.y[i], plot.log_y)) continue;
+    if (!IsDrawn(plot, s, i)) continue;
     block += fmt::format("{} {}", GnuplotNumber(s.x[i]), GnuplotNumber(s.y[i]));
     if (!s.low.empty()) block += fmt::format(" {} {}", GnuplotNumber(s.low[i]), GnuplotNumber(s.high[i]));
     block += "\n";
@@ -74,17 +86,15 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
 
 void WriteSvg(const Plot& plot, const std::filesystem::path& svg) {
   Check(plot);
-  std::string script = SvgHeader();
+  std::string script = SvgHeader() + XRange(plot) + (plot.log_y ? "set logscale y\n" : "set yrange [0:]\n");
+  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", GnuplotText(plot.title),
+                        GnuplotText(plot.x_label), GnuplotText(plot.y_label));
   std::string draw;
   for (size_t i = 0; i < plot.series.size(); ++i) {
     if (plot.series[i].y.empty()) continue;
     script += DataBlock(plot, i);
     draw += fmt::format("{}{}", draw.empty() ? "plot " : ", \\\n", DrawSeries(plot.series[i], i));
   }
-  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\nset key below\n",
-                        GnuplotText(plot.title), GnuplotText(plot.x_label), GnuplotText(plot.y_label));
-  script += plot.log_x ? "set logscale x\n" : "set offsets graph 0.03, graph 0.03, 0, 0\n";
-  script += plot.log_y ? "set logscale y\n" : "set yrange [0:]\n";
   RunGnuplot(script + draw + "\n", svg);
 }
 

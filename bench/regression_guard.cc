@@ -58,7 +58,8 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
   GuardResult result;
   result.cpu_reference = reference.machine.cpu;
   result.cpu_now = now.machine.cpu;
-  result.calibration_ratio = now.calibration.median / reference.calibration.median;
+  result.calibration_reference = reference.calibration;
+  result.calibration_now = now.calibration;
   const double variance = MedianVariance(reference.calibration) + MedianVariance(now.calibration);
   const std::map<std::string, SpanStatistics> before = ByKey(reference.spans), after = ByKey(now.spans);
   for (const NamedSpan& span : now.spans) {
@@ -68,7 +69,7 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
                                                 .reference = {},
                                                 .now = span.milliseconds,
                                                 .verdict = Verdict::kNew}
-                               : Compare(span, found->second, result.calibration_ratio, variance));
+                               : Compare(span, found->second, result.calibration_ratio(), variance));
   }
   if (result.Count(Verdict::kNew) == result.spans.size()) {
     throw InputError(

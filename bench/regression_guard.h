@@ -40,9 +40,11 @@ struct SpanComparison {
 
 struct GuardResult {
   std::vector<SpanComparison> spans;  // in the order of `now`, then the missing ones
-  double calibration_ratio = 1;       // now over reference: above 1, the machine is slower now
+  SpanStatistics calibration_reference, calibration_now;
   std::string cpu_reference, cpu_now;
 
+  // Above 1: the machine is slower now.
+  double calibration_ratio() const { return calibration_now.median / calibration_reference.median; }
   size_t Count(Verdict verdict) const;
 };
 

@@ -63,8 +63,7 @@ std::string Names(const StackedBars& bars) {
 
 // One panel with the axis up to `limit`.
 std::string Panel(const StackedBars& bars, const std::string& title, double limit, bool legend) {
-  std::string panel = "set title " + GnuplotText(title) + "\n" +
-                      (legend ? "set key below\n" : "unset key\n") +
+  std::string panel = "set title " + GnuplotText(title) + "\n" + (legend ? "" : "unset key\n") +
                       fmt::format("set xrange [0:{}]\n", limit);
   for (size_t stage = 0; stage < bars.stages.size(); ++stage) {
     panel += fmt::format(
@@ -92,10 +91,10 @@ void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) {
                         0.4 - static_cast<double>(bars.bars.size()));
   script += "set xlabel " + GnuplotText(bars.unit) + "\n";
   if (enlarged) script += "set multiplot layout 2,1\n";
-  script += Panel(bars, bars.title, 1.02 * longest, !enlarged);
+  script += Panel(bars, bars.title, 1.02 * longest, true);
   if (enlarged) {
     script +=
-        Panel(bars, fmt::format("the same up to {} {}", Fixed(*enlarged, 1), bars.unit), *enlarged, true);
+        Panel(bars, fmt::format("the same up to {} {}", Fixed(*enlarged, 1), bars.unit), *enlarged, false);
     script += "unset multiplot\n";
   }
   RunGnuplot(script, svg);

@@ -46,7 +46,7 @@ TEST(RegressionGuard, DividesByWhatTheCalibrationMoved) {
   EXPECT_EQ(VerdictBetween(GuardTimes(1), GuardTimes(1), 6), Verdict::kFaster);
   const GuardResult result = CompareWithReference(GuardRecord(5, {GuardSpan("a", GuardTimes(2))}),
                                                   GuardRecord(6, {GuardSpan("a", GuardTimes(3))}));
-  EXPECT_DOUBLE_EQ(result.calibration_ratio, 1.2);
+  EXPECT_DOUBLE_EQ(result.calibration_ratio(), 1.2);
   EXPECT_DOUBLE_EQ(result.spans.at(0).ratio, 1.25);
 }
 
@@ -108,6 +108,15 @@ TEST(RegressionGuard, TabulatesVerdictsAndNotesAnotherMachine) {
   EXPECT_NE(same_machine.title.find("1 slower, 0 faster, 0 same, 0 too few, 1 missing"), std::string::npos);
   ASSERT_EQ(other_machine.notes.size(), same_machine.notes.size() + 1);
   EXPECT_NE(other_machine.notes.back().find("'a processor'"), std::string::npos);
+}
+
+TEST(RegressionGuard, NotesABusyMachine) {
+  const BenchRecord reference = GuardRecord(5, {GuardSpan("a", GuardTimes(1))});
+  BenchRecord now = reference;
+  now.calibration = GuardTimes(6, 0.4);
+  const Table table = GuardTable(CompareWithReference(reference, now));
+  EXPECT_NE(table.notes.back().find("busy machine: the calibration loop's times spread by 40 %"),
+            std::string::npos);
 }
 
 }  // namespace

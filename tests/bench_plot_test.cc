@@ -54,7 +54,7 @@ TEST(Plot, WritesWhatItIsToldLiterally) {
   const std::string svg = ReadFile(folder / "plot.svg");
   EXPECT_TRUE(svg.starts_with("<?xml"));
   EXPECT_NE(svg.find("width=\"900\" height=\"560\""), std::string::npos);
-  EXPECT_NE(svg.find("Time &lt;ours&gt; &amp; 'theirs' @home"), std::string::npos);
+  EXPECT_NE(svg.find("Time &lt;ours> &amp; 'theirs' @home"), std::string::npos);
   for (const char* text : {"objects_{n}", ">lines<", ">baseline<", ">fit<"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
