@@ -8,10 +8,9 @@
 namespace armature {
 namespace {
 
-constexpr int kSolves = 4000;
+constexpr int kSolves = 1000;
 constexpr size_t kFloats = size_t{1} << 20;  // 4 MB
-constexpr int kSweeps = 4;
-constexpr size_t kStride = 4099;  // a prime, so that every element is met once
+constexpr size_t kStride = 16 * 4099;        // a prime number of cache lines: each is met once
 
 // Every solution is bounded and starts the next problem, so nothing can be left out or run in parallel.
 double Arithmetic() {
@@ -30,11 +29,9 @@ double Arithmetic() {
 
 double MemoryTraffic(std::vector<float>& memory) {
   for (size_t i = 0; i < memory.size(); ++i) memory[i] = static_cast<float>(i % 1024);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (size_t i = 1; i < memory.size(); ++i) memory[i - 1] = 0.5F * (memory[i - 1] + memory[i]);
-  }
+  for (size_t i = 1; i < memory.size(); ++i) memory[i - 1] = 0.5F * (memory[i - 1] + memory[i]);
   double sum = 0;
-  for (size_t i = 0, at = 0; i < memory.size(); i += 16, at = (at + kStride * 16) % memory.size())
+  for (size_t i = 0, at = 0; i < memory.size(); i += 16, at = (at + kStride) % memory.size())
     sum += static_cast<double>(memory[at]);
   return sum / static_cast<double>(memory.size());
 }

@@ -79,7 +79,6 @@ std::string SvgHeader() {
          "set border 3 lc rgb '#404040'\n"
          "set tics nomirror out\n"
          "set key tmargin center horizontal Left reverse samplen 2\n"
-         "set pointintervalbox 0\n"  // nothing is cut out around a point
          "set grid lt 1 lw 1 lc rgb '#dddddd'\n";
 }
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "bench/regression_guard.h"
 
 namespace armature {
 namespace {
 
-constexpr double kBusyPercent = 15;  // spread of the calibration loop, which does the same every time
+constexpr double kBusy = 0.15;  // spread of the calibration loop, which does the same every time
 
 const char* VerdictName(Verdict verdict) {
   switch (verdict) {
@@ -33,10 +31,8 @@ Cell MedianCell(const std::optional<SpanStatistics>& s) {
 }
 
 // Half of p10..p90.
-double SpreadPercent(const SpanStatistics& s) { return 50 * (s.p90 - s.p10) / s.median; }
-
 Cell SpreadCell(const std::optional<SpanStatistics>& s) {
-  return s ? NumberCell(SpreadPercent(*s), 1) : NoCell();
+  return s ? NumberCell(100 * s->spread(), 1) : NoCell();
 }
 
 std::vector<Cell> RowOf(const SpanComparison& span) {
@@ -72,16 +68,14 @@ Table GuardTable(const GuardResult& result) {
       fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
                   result.calibration_ratio()),
       "spread: half of p10..p90 over the median, of single values.",
-      "slower, faster: the ratio or its inverse is above 1 by more than the tolerance, which is 5 % and "
-      "three "
-      "standard errors of both medians and of the calibration's; too few: less than 5 values on a side."};
-  const double busy =
-      std::max(SpreadPercent(result.calibration_reference), SpreadPercent(result.calibration_now));
-  if (busy > kBusyPercent) {
-    table.notes.push_back(
-        fmt::format("A busy machine: the calibration loop's times spread by {:.0f} %; measure again when it "
-                    "has nothing else to do.",
-                    busy));
+      "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 %, three standard "
+      "errors of both medians, and the spread of the calibration loop; too few: less than 5 values on a "
+      "side."};
+  if (result.calibration_spread() > kBusy) {
+    table.notes.push_back(fmt::format(
+        "A busy machine: the calibration loop's times spread by {:.0f} %; measure again when it has nothing "
+        "else to do.",
+        100 * result.calibration_spread()));
   }
   if (result.cpu_reference != result.cpu_now) {
     table.notes.push_back(fmt::format(

@@ -74,7 +74,7 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
   const size_t colour = series.colour.value_or(index);
   std::string draw;
   if (!series.low.empty()) {
-    draw = fmt::format("$data{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1 pt 0 notitle, \\\n", index,
+    draw = fmt::format("$data{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1 ps 0 notitle, \\\n", index,
                        PlotColour(colour));
   }
   const std::string title =

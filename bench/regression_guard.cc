@@ -28,13 +28,12 @@ Verdict VerdictOf(double ratio, double tolerance) {
   return Verdict::kSame;
 }
 
-SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference, double calibration_ratio,
-                       double calibration_variance) {
+SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference, const GuardResult& result) {
   const SpanStatistics& now = span.milliseconds;
   SpanComparison comparison{.key = span.Key(), .reference = reference, .now = now};
-  comparison.ratio = now.median / reference.median / calibration_ratio;
-  comparison.tolerance =
-      kFloor + kSigmas * std::sqrt(MedianVariance(reference) + MedianVariance(now) + calibration_variance);
+  comparison.ratio = now.median / reference.median / result.calibration_ratio();
+  comparison.tolerance = kFloor + kSigmas * std::sqrt(MedianVariance(reference) + MedianVariance(now)) +
+                         result.calibration_spread();
   comparison.verdict = std::min(reference.n, now.n) < kFewest
                            ? Verdict::kTooFew
                            : VerdictOf(comparison.ratio, comparison.tolerance);
@@ -49,6 +48,10 @@ std::map<std::string, SpanStatistics> ByKey(const std::vector<NamedSpan>& spans)
 
 }  // namespace
 
+double GuardResult::calibration_spread() const {
+  return std::max(calibration_reference.spread(), calibration_now.spread());
+}
+
 size_t GuardResult::Count(Verdict verdict) const {
   return static_cast<size_t>(std::count_if(
       spans.begin(), spans.end(), [verdict](const SpanComparison& span) { return span.verdict == verdict; }));
@@ -60,16 +63,14 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
   result.cpu_now = now.machine.cpu;
   result.calibration_reference = reference.calibration;
   result.calibration_now = now.calibration;
-  const double variance = MedianVariance(reference.calibration) + MedianVariance(now.calibration);
   const std::map<std::string, SpanStatistics> before = ByKey(reference.spans), after = ByKey(now.spans);
   for (const NamedSpan& span : now.spans) {
     const auto found = before.find(span.Key());
-    result.spans.push_back(found == before.end()
-                               ? SpanComparison{.key = span.Key(),
-                                                .reference = {},
-                                                .now = span.milliseconds,
-                                                .verdict = Verdict::kNew}
-                               : Compare(span, found->second, result.calibration_ratio(), variance));
+    result.spans.push_back(found == before.end() ? SpanComparison{.key = span.Key(),
+                                                                  .reference = {},
+                                                                  .now = span.milliseconds,
+                                                                  .verdict = Verdict::kNew}
+                                                 : Compare(span, found->second, result));
   }
   if (result.Count(Verdict::kNew) == result.spans.size()) {
     throw InputError(

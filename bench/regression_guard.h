@@ -6,10 +6,12 @@
 // A median of n values that scatter normally has the standard error 1.2533 sigma / sqrt(n); sigma comes from
 // the values between p10 and p90, which outliers do not touch: (p90 - p10) / 2.5631. A span moved when its
 // ratio or the inverse is above
-//   1 + kFloor + kSigmas sqrt(sum of the four relative standard errors squared),
-// three sigmas because a hundred spans are compared at once, and the floor because another process has other
-// addresses and because no calibration loop feels a busy machine exactly as every stage does. The frames of a
-// sequence differ and are the same on both sides, so for them the standard error is rather too large.
+//   1 + kFloor + kSigmas sqrt(sum of both relative standard errors squared) + calibration's spread.
+// Three sigmas, because a hundred spans are compared at once. The spread is half of p10..p90 over the median,
+// on the side where it is larger: when the machine's speed drifts within a run, the values are not
+// independent and more of them do not help. The floor, because another process has other addresses and no
+// calibration loop feels a machine exactly as every stage does. The frames of a sequence differ and are the
+// same on both sides, so for them the standard error is rather too large.
 #pragma once
 
 #include <optional>
@@ -45,6 +47,7 @@ struct GuardResult {
 
   // Above 1: the machine is slower now.
   double calibration_ratio() const { return calibration_now.median / calibration_reference.median; }
+  double calibration_spread() const;  // on the side where it is larger
   size_t Count(Verdict verdict) const;
 };
 
