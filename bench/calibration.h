@@ -12,7 +12,7 @@ namespace armature {
 
 inline constexpr const char* kCalibrationName = "calibration";
 
-// One pass, just under a millisecond: products and factorisations of small matrices with transcendental
+// One pass, one to two milliseconds: products and factorisations of small matrices with transcendental
 // functions, as association and resection have them, then sweeps over more memory than the second cache
 // holds, as detection has them. It is so short that the system seldom takes the processor away within one:
 // its median is the machine's speed, and its p90 shows that the machine was busy. Always the same sum, but

@@ -68,8 +68,8 @@ Table GuardTable(const GuardResult& result) {
       fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
                   result.calibration_ratio()),
       "spread: half of p10..p90 over the median, of single values.",
-      "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 %, three standard "
-      "errors of both medians, and the spread of the calibration loop; too few: less than 5 values on a "
+      "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 % and what the "
+      "medians of both and of the calibration loops may be off by chance; too few: less than 5 values on a "
       "side."};
   if (result.calibration_spread() > kBusy) {
     table.notes.push_back(fmt::format(

@@ -74,8 +74,9 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
   const size_t colour = series.colour.value_or(index);
   std::string draw;
   if (!series.low.empty()) {
-    draw = fmt::format("$data{} using 1:2:3:4 with yerrorbars lc rgb '{}' lw 1 ps 0 notitle, \\\n", index,
-                       PlotColour(colour));
+    draw =
+        fmt::format("$data{} using 1:3:(0):($4-$3) with vectors nohead lc rgb '{}' lw 1 notitle, \\\n", index,
+                    PlotColour(colour));  // gnuplot's own error bars stop short of the point
   }
   const std::string title =
       series.name.empty() ? "notitle" : fmt::format("title {}", GnuplotText(series.name));

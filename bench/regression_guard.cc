@@ -12,31 +12,35 @@ namespace armature {
 namespace {
 
 constexpr double kFloor = 0.05;
-constexpr double kSigmas = 3;
 constexpr size_t kFewest = 5;  // values; fewer say nothing about their spread
 
-// Squared, relative to the median.
-double MedianVariance(const SpanStatistics& s) {
-  const double sigma = (s.p90 - s.p10) / 2.5631;
-  const double error = 1.2533 * sigma / std::sqrt(static_cast<double>(s.n)) / s.median;
-  return error * error;
+double Squared(double value) { return value * value; }
+
+// Squared errors, relative, of a median that may really be larger, and of one that may be smaller.
+double UpwardError(const SpanStatistics& s) { return Squared(s.median_high / s.median - 1); }
+double DownwardError(const SpanStatistics& s) { return Squared(1 - s.median_low / s.median); }
+
+// By which `now` may be above `reference` by chance, both divided by their calibrations.
+double Tolerance(const SpanStatistics& reference, const SpanStatistics& calibration_reference,
+                 const SpanStatistics& now, const SpanStatistics& calibration_now) {
+  return kFloor + std::sqrt(UpwardError(reference) + DownwardError(calibration_reference) +
+                            DownwardError(now) + UpwardError(calibration_now));
 }
 
-Verdict VerdictOf(double ratio, double tolerance) {
-  if (ratio > 1 + tolerance) return Verdict::kSlower;
-  if (1 / ratio > 1 + tolerance) return Verdict::kFaster;
-  return Verdict::kSame;
+Verdict VerdictOf(const SpanComparison& span) {
+  if (std::min(span.reference->n, span.now->n) < kFewest) return Verdict::kTooFew;
+  if (std::max(span.ratio, 1 / span.ratio) <= 1 + span.tolerance) return Verdict::kSame;
+  return span.ratio > 1 ? Verdict::kSlower : Verdict::kFaster;
 }
 
 SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference, const GuardResult& result) {
   const SpanStatistics& now = span.milliseconds;
   SpanComparison comparison{.key = span.Key(), .reference = reference, .now = now};
   comparison.ratio = now.median / reference.median / result.calibration_ratio();
-  comparison.tolerance = kFloor + kSigmas * std::sqrt(MedianVariance(reference) + MedianVariance(now)) +
-                         result.calibration_spread();
-  comparison.verdict = std::min(reference.n, now.n) < kFewest
-                           ? Verdict::kTooFew
-                           : VerdictOf(comparison.ratio, comparison.tolerance);
+  comparison.tolerance =
+      comparison.ratio > 1 ? Tolerance(reference, result.calibration_reference, now, result.calibration_now)
+                           : Tolerance(now, result.calibration_now, reference, result.calibration_reference);
+  comparison.verdict = VerdictOf(comparison);
   return comparison;
 }
 

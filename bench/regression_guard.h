@@ -3,15 +3,15 @@
 //
 // Medians are compared, each divided by the median of its own process's calibration loop:
 //   ratio = (now / reference) / (calibration now / calibration of the reference).
-// A median of n values that scatter normally has the standard error 1.2533 sigma / sqrt(n); sigma comes from
-// the values between p10 and p90, which outliers do not touch: (p90 - p10) / 2.5631. A span moved when its
-// ratio or the inverse is above
-//   1 + kFloor + kSigmas sqrt(sum of both relative standard errors squared) + calibration's spread.
-// Three sigmas, because a hundred spans are compared at once. The spread is half of p10..p90 over the median,
-// on the side where it is larger: when the machine's speed drifts within a run, the values are not
-// independent and more of them do not help. The floor, because another process has other addresses and no
-// calibration loop feels a machine exactly as every stage does. The frames of a sequence differ and are the
-// same on both sides, so for them the standard error is rather too large.
+// How sure each of the four medians is comes from the order of its values (SpanStatistics::median_low,
+// _high), which needs no bell curve: a busy machine makes some of the values several times as large. A span
+// is slower when its ratio is above
+//   1 + kFloor + sqrt(sum of the four medians' errors squared),
+// each error relative and towards the other side, and faster when the inverse of the ratio is. Errors are of
+// three standard deviations, because a hundred spans are compared at once. The floor, because another process
+// has other addresses and no calibration loop feels a machine exactly as every stage does: measured twice by
+// the same program, most ratios differ by up to 5 %. The machine's drift within a run hits spans and
+// calibration alike, for they take turns.
 #pragma once
 
 #include <optional>
@@ -36,7 +36,7 @@ struct SpanComparison {
   std::string key;  // NamedSpan::Key
   std::optional<SpanStatistics> reference, now;
   double ratio = 0;      // normalised; of those that are on both sides
-  double tolerance = 0;  // by which the ratio or its inverse may be above 1
+  double tolerance = 0;  // by which the ratio, or its inverse where that is larger, may be above 1
   Verdict verdict = Verdict::kSame;
 };
 
@@ -47,7 +47,7 @@ struct GuardResult {
 
   // Above 1: the machine is slower now.
   double calibration_ratio() const { return calibration_now.median / calibration_reference.median; }
-  double calibration_spread() const;  // on the side where it is larger
+  double calibration_spread() const;  // SpanStatistics::spread where it is larger
   size_t Count(Verdict verdict) const;
 };
 

@@ -18,8 +18,16 @@ constexpr int kSchema = 1;
 constexpr const char* kRemedy = "write a new one with 'armature bench'";
 
 Json StatisticsJson(const SpanStatistics& s) {
-  return {{"n", s.n},     {"mean", s.mean}, {"std", s.deviation}, {"median", s.median},
-          {"p10", s.p10}, {"p90", s.p90},   {"p99", s.p99},       {"max", s.max}};
+  return {{"n", s.n},
+          {"mean", s.mean},
+          {"std", s.deviation},
+          {"median", s.median},
+          {"p10", s.p10},
+          {"p90", s.p90},
+          {"p99", s.p99},
+          {"max", s.max},
+          {"median_low", s.median_low},
+          {"median_high", s.median_high}};
 }
 
 SpanStatistics StatisticsFrom(const Json& json) {
@@ -32,6 +40,8 @@ SpanStatistics StatisticsFrom(const Json& json) {
   s.p90 = json.at("p90").get<double>();
   s.p99 = json.at("p99").get<double>();
   s.max = json.at("max").get<double>();
+  s.median_low = json.at("median_low").get<double>();
+  s.median_high = json.at("median_high").get<double>();
   return s;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of bench.json that a later run is compared with:
 //   {"schema": 1, "machine": {"cpu": NAME, "cores": N},
-//    "calibration_ms": {"n", "mean", "std", "median", "p10", "p90", "p99", "max"},
+//    "calibration_ms": {"n", "mean", "std", "median", "p10", "p90", "p99", "max",
+//                       "median_low", "median_high"},
 //    "spans": [{"table", "sequence", "contender", "stage", and as calibration_ms}]}
 // All times are milliseconds, with every digit. What else the object holds is not looked at.
 #pragma once

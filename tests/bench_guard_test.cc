@@ -9,13 +9,15 @@
 namespace armature {
 namespace {
 
-// `spread`: (p90 - p10) / 2 over the median.
-SpanStatistics GuardTimes(double median, double spread = 0.02, size_t n = 100) {
+// `error`: by which the median may be off, relative.
+SpanStatistics GuardTimes(double median, double error = 0.02, size_t n = 100) {
   SpanStatistics s;
   s.n = n;
   s.mean = s.median = median;
-  s.p10 = median * (1 - spread);
-  s.p90 = s.p99 = s.max = median * (1 + spread);
+  s.median_low = median * (1 - error);
+  s.median_high = median * (1 + error);
+  s.p10 = median * (1 - 2 * error);
+  s.p90 = s.p99 = s.max = median * (1 + 2 * error);
   return s;
 }
 
@@ -35,7 +37,7 @@ Verdict VerdictBetween(const SpanStatistics& reference, const SpanStatistics& no
       .verdict;
 }
 
-TEST(RegressionGuard, SeesWhatMovedBeyondTheSpread) {
+TEST(RegressionGuard, SeesWhatMovedBeyondTheMediansErrors) {
   EXPECT_EQ(VerdictBetween(GuardTimes(1), GuardTimes(1.2)), Verdict::kSlower);
   EXPECT_EQ(VerdictBetween(GuardTimes(1), GuardTimes(0.8)), Verdict::kFaster);
   EXPECT_EQ(VerdictBetween(GuardTimes(1), GuardTimes(1.04)), Verdict::kSame);
@@ -51,18 +53,31 @@ TEST(RegressionGuard, DividesByWhatTheCalibrationMoved) {
 }
 
 TEST(RegressionGuard, IsLessSureOfFewOrScatteredValues) {
-  EXPECT_EQ(VerdictBetween(GuardTimes(1, 0.3, 10), GuardTimes(1.2, 0.3, 10)), Verdict::kSame);
-  EXPECT_EQ(VerdictBetween(GuardTimes(1, 0.3, 1000), GuardTimes(1.2, 0.3, 1000)), Verdict::kSlower);
+  EXPECT_EQ(VerdictBetween(GuardTimes(1, 0.2), GuardTimes(1.2, 0.2)), Verdict::kSame);
   EXPECT_EQ(VerdictBetween(GuardTimes(1, 0, 4), GuardTimes(9)), Verdict::kTooFew);
 }
 
-TEST(RegressionGuard, StatesTheToleranceOfTheMedians) {
-  SpanStatistics times = GuardTimes(1, 0.25631 / 2, 100);  // sigma 0.1: the median is sure to 0.012533
-  BenchRecord record = GuardRecord(5, {GuardSpan("a", times)});
-  BenchRecord busier = record;
-  busier.calibration = GuardTimes(5, 0.07);
-  EXPECT_NEAR(CompareWithReference(record, busier).spans.at(0).tolerance, 0.12 + 3 * std::sqrt(2) * 0.012533,
-              1e-9);
+TEST(RegressionGuard, AddsTheErrorsTowardsTheOtherSide) {
+  BenchRecord reference = GuardRecord(5, {GuardSpan("a", GuardTimes(1, 0))});
+  reference.spans[0].milliseconds.median_high = 1.03;
+  reference.spans[0].milliseconds.median_low = 0.5;
+  reference.calibration = GuardTimes(5, 0);
+  BenchRecord now = reference;
+  now.spans[0].milliseconds = GuardTimes(1.1, 0.04);
+  now.spans[0].milliseconds.median_high = 9;
+  EXPECT_NEAR(CompareWithReference(reference, now).spans.at(0).tolerance, 0.05 + 0.05, 1e-9);
+  // The other way round: both errors are those of the far sides.
+  now.spans[0].milliseconds = GuardTimes(0.9, 0);
+  now.spans[0].milliseconds.median_high = 0.9 * 1.2;
+  EXPECT_NEAR(CompareWithReference(reference, now).spans.at(0).tolerance, 0.05 + std::hypot(0.5, 0.2), 1e-9);
+}
+
+TEST(RegressionGuard, AddsTheCalibrationsErrors) {
+  BenchRecord reference = GuardRecord(5, {GuardSpan("a", GuardTimes(1, 0))});
+  reference.calibration = GuardTimes(5, 0.03);
+  BenchRecord now = GuardRecord(5, {GuardSpan("a", GuardTimes(1.01, 0))});
+  now.calibration = GuardTimes(5, 0.04);
+  EXPECT_NEAR(CompareWithReference(reference, now).spans.at(0).tolerance, 0.05 + 0.05, 1e-9);
 }
 
 TEST(RegressionGuard, ListsWhatIsOnOneSideOnly) {
@@ -102,7 +117,7 @@ TEST(RegressionGuard, TabulatesVerdictsAndNotesAnotherMachine) {
   const Table other_machine = GuardTable(CompareWithReference(reference, now));
   ASSERT_EQ(same_machine.rows.size(), 2U);
   EXPECT_EQ(same_machine.rows[0][3].text, "2.000");
-  EXPECT_EQ(same_machine.rows[0][4].text, "2.0");
+  EXPECT_EQ(same_machine.rows[0][4].text, "4.0");
   EXPECT_EQ(same_machine.rows[0][7].text, "slower");
   EXPECT_EQ(same_machine.rows[1][2].text, "");
   EXPECT_EQ(same_machine.rows[1][7].text, "missing");
@@ -114,7 +129,7 @@ TEST(RegressionGuard, TabulatesVerdictsAndNotesAnotherMachine) {
 TEST(RegressionGuard, NotesABusyMachine) {
   const BenchRecord reference = GuardRecord(5, {GuardSpan("a", GuardTimes(1))});
   BenchRecord now = reference;
-  now.calibration = GuardTimes(6, 0.4);
+  now.calibration = GuardTimes(6, 0.2);
   const Table table = GuardTable(CompareWithReference(reference, now));
   EXPECT_NE(table.notes.back().find("busy machine: the calibration loop's times spread by 40 %"),
             std::string::npos);

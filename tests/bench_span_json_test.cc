@@ -53,6 +53,8 @@ TEST_F(SpanJson, ReadsBackEveryDigit) {
     EXPECT_EQ(a.p90, b.p90);
     EXPECT_EQ(a.p99, b.p99);
     EXPECT_EQ(a.max, b.max);
+    EXPECT_EQ(a.median_low, b.median_low);
+    EXPECT_EQ(a.median_high, b.median_high);
   }
 }
 

@@ -34,5 +34,20 @@ TEST(SpanStatistics, AreThoseOfNumpy) {
   EXPECT_EQ(s.max, 10);
 }
 
+TEST(SpanStatistics, SayWhereTheMedianMayLie) {
+  std::vector<double> values;
+  for (int i = 1; i <= 100; ++i) values.push_back(i);
+  const SpanStatistics many = StatisticsOf(values).value();
+  EXPECT_DOUBLE_EQ(many.median_low, 35.65);  // numpy: the quantiles 0.5 -+ 1.5 / sqrt(100)
+  EXPECT_DOUBLE_EQ(many.median_high, 65.35);
+  const SpanStatistics few = StatisticsOf({3, 1, 7, 2, 5}).value();
+  EXPECT_EQ(few.median_low, 1);
+  EXPECT_EQ(few.median_high, 7);
+}
+
+TEST(SpanStatistics, SpreadIsHalfOfP10ToP90OverTheMedian) {
+  EXPECT_DOUBLE_EQ(StatisticsOf({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}).value().spread(), 3.6 / 5.5);
+}
+
 }  // namespace
 }  // namespace armature
