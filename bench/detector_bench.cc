@@ -7,16 +7,16 @@
 namespace armature {
 namespace {
 
-struct Engine {
+struct TimedDetector {
   std::unique_ptr<LineDetector> detector;
   DetectorTiming timing;
 };
 
-std::vector<Segment> Detect(Engine& engine, const BenchImage& image, const Camera& camera) {
+std::vector<Segment> Detect(TimedDetector& engine, const BenchImage& image, const Camera& camera) {
   return DetectSegments(*engine.detector, image.gray, camera, image.boxes, engine.timing.options);
 }
 
-void Measure(Engine& engine, const BenchImage& image, const Camera& camera) {
+void Measure(TimedDetector& engine, const BenchImage& image, const Camera& camera) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Segment> segments = Detect(engine, image, camera);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
@@ -48,11 +48,11 @@ std::vector<LineOptions> AllDetectors() {
 
 std::vector<DetectorTiming> BenchDetectors(const std::vector<BenchImage>& images, const Camera& camera,
                                            const std::vector<LineOptions>& detectors, int warm_up) {
-  std::vector<Engine> engines;
+  std::vector<TimedDetector> engines;
   engines.reserve(detectors.size());
   for (const LineOptions& options : detectors)
     engines.push_back({MakeLineDetector(options), {options, {}, {}, {}}});
-  for (Engine& engine : engines) {
+  for (TimedDetector& engine : engines) {
     for (int i = 0; i < warm_up && !images.empty(); ++i) Detect(engine, images.front(), camera);
   }
   for (size_t i = 0; i < images.size(); ++i) {
@@ -60,7 +60,7 @@ std::vector<DetectorTiming> BenchDetectors(const std::vector<BenchImage>& images
   }
   std::vector<DetectorTiming> timings;
   timings.reserve(engines.size());
-  for (Engine& engine : engines) timings.push_back(std::move(engine.timing));
+  for (TimedDetector& engine : engines) timings.push_back(std::move(engine.timing));
   return timings;
 }
 

@@ -35,7 +35,7 @@ Cell SpreadCell(const std::optional<SpanStatistics>& s) {
   return s ? NumberCell(100 * s->spread(), 1) : NoCell();
 }
 
-std::vector<Cell> RowOf(const SpanComparison& span) {
+std::vector<Cell> ComparisonRow(const SpanComparison& span) {
   const bool both = span.reference && span.now;
   return {TextCell(span.key),
           MedianCell(span.reference),
@@ -63,7 +63,7 @@ Table GuardTable(const GuardResult& result) {
   table.title = "Against the reference: " + Sums(result);
   table.columns = {"span",           "reference [ms]", "now [ms]", "ratio", "spread then [%]",
                    "spread now [%]", "tolerance [%]",  "verdict"};
-  for (const SpanComparison& span : result.spans) table.rows.push_back(RowOf(span));
+  for (const SpanComparison& span : result.spans) table.rows.push_back(ComparisonRow(span));
   table.notes = {
       fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
                   result.calibration_ratio()),

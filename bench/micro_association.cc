@@ -10,7 +10,6 @@
 namespace armature {
 namespace {
 
-constexpr size_t kSegments = 60;          // about what an object's box holds
 constexpr size_t kMatchingSegments = 80;  // the most that association takes
 constexpr int kMatchingCalls = 500;
 constexpr int kHypothesesCalls = 20;
@@ -25,7 +24,7 @@ std::vector<Hypothesis> HypothesesOf(const MicroView& micro, const AssociationOp
 }
 
 Contender HypothesisContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = ViewOf(model, kSegments, setup);
+  const auto micro = ViewOf(model, kMicroSegments, setup);
   const std::vector<Hypothesis> hypotheses = HypothesesOf(*micro, setup.association);
   return MicroContender(name, static_cast<double>(hypotheses.size()),
                         [micro, hypotheses, options = setup.association] {
@@ -35,7 +34,7 @@ Contender HypothesisContender(const std::string& name, const CategoryModel& mode
 }
 
 Contender HypothesesContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = ViewOf(model, kSegments, setup);
+  const auto micro = ViewOf(model, kMicroSegments, setup);
   const size_t made = HypothesesOf(*micro, setup.association).size();
   return MicroContender(name, static_cast<double>(made * kHypothesesCalls),
                         [micro, options = setup.association] {

@@ -34,7 +34,7 @@ PoseGraphEdge Measured(const std::vector<Eigen::Isometry3d>& poses, size_t from,
           sigmas.cwiseAbs2().cwiseInverse().asDiagonal()};
 }
 
-Contender SolveContender(const std::string& name, size_t poses) {
+Contender GraphContender(const std::string& name, size_t poses) {
   const auto graph = std::make_shared<const PoseGraph>(NoisySphere(poses));
   Contender contender = MicroContender(name, 1, [graph] { SolvePoseGraph(*graph, {}); });
   contender.every = 1 + poses / 500;  // a big one in every few turns is enough
@@ -64,7 +64,7 @@ std::vector<MicroBenchmark> PoseGraphBenchmarks(const MicroSetup& setup) {
     benchmarks.push_back({"pose_graph", size,
                           "one pose graph of so many poses on a sphere, from noisy odometry to convergence, "
                           "choosing the start included",
-                          [=] { return SolveContender("pose_graph:" + size, poses); }});
+                          [=] { return GraphContender("pose_graph:" + size, poses); }});
   }
   return benchmarks;
 }

@@ -9,14 +9,13 @@
 namespace armature {
 namespace {
 
-constexpr size_t kSegments = 60;
 constexpr size_t kLines = 14;  // that a solve has
 constexpr int kSolves = 20;
 constexpr int kAlternations = 5;
 
-Contender SolveContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup,
-                         const ResectionOptions& resection) {
-  const auto micro = std::make_shared<const MicroView>(model, kSegments, setup.association.box);
+Contender ResectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup,
+                          const ResectionOptions& resection) {
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
   const PoseAndShape start = micro->NearTruth();
   const std::vector<EdgeMatch> matches = MicroMatches(*micro, kLines, setup.association);
   return MicroContender(
@@ -30,18 +29,18 @@ Contender SolveContender(const std::string& name, const CategoryModel& model, co
 Contender JointContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions joint = setup.resection;
   joint.mode = "joint";
-  return SolveContender(name, model, setup, joint);
+  return ResectContender(name, model, setup, joint);
 }
 
 Contender AlternatingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions alternating = setup.resection;
   alternating.mode = "alternating";
   alternating.alternations = kAlternations;
-  return SolveContender(name, model, setup, alternating);
+  return ResectContender(name, model, setup, alternating);
 }
 
 Contender ObjectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = std::make_shared<const MicroView>(model, kSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
   return MicroContender(name, 1, [micro, association = setup.association, resection = setup.resection] {
     EstimatorTimes times;
     EstimateObject(micro->view, association, resection, times);

@@ -8,6 +8,8 @@
 
 namespace armature {
 
+inline constexpr size_t kMicroSegments = 60;  // about what an object's box holds
+
 // The category's mean object stands upright in the middle of an 856x480 image, seen from above and half from
 // the side. Each visible edge is found as two fragments with noisy ends; the other segments are clutter
 // inside the box.

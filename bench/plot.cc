@@ -35,7 +35,7 @@ std::string XRange(const Plot& plot) {
   return fmt::format("set xrange [{}:{}]\n", low - margin, high + margin);
 }
 
-void Check(const Plot& plot) {
+void CheckColumns(const Plot& plot) {
   for (const PlotSeries& s : plot.series) {
     const size_t bars = s.low.size();
     if (s.x.size() != s.y.size() || bars != s.high.size() || (bars != 0 && bars != s.y.size()))
@@ -86,7 +86,7 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
 }  // namespace
 
 void WriteSvg(const Plot& plot, const std::filesystem::path& svg) {
-  Check(plot);
+  CheckColumns(plot);
   std::string script = SvgHeader() + XRange(plot) + (plot.log_y ? "set logscale y\n" : "set yrange [0:]\n");
   script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", GnuplotText(plot.title),
                         GnuplotText(plot.x_label), GnuplotText(plot.y_label));

@@ -27,7 +27,7 @@ double LongestBelow(const StackedBars& bars, double limit) {
   return longest;
 }
 
-void Check(const StackedBars& bars) {
+void CheckBars(const StackedBars& bars) {
   double sum = 0;
   for (const StackedBars::Bar& bar : bars.bars) {
     if (bar.parts.size() != bars.stages.size())
@@ -51,7 +51,7 @@ std::string StageBlock(const StackedBars& bars, size_t stage) {
   return block + "EOD\n";
 }
 
-std::string Names(const StackedBars& bars) {
+std::string BarNames(const StackedBars& bars) {
   std::string tics, labels;
   for (size_t i = 0; i < bars.bars.size(); ++i) {
     tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", GnuplotText(bars.bars[i].name), -static_cast<int>(i));
@@ -81,12 +81,12 @@ std::optional<double> EnlargedLimit(const StackedBars& bars, double longest) {
 }  // namespace
 
 void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) {
-  Check(bars);
+  CheckBars(bars);
   const double longest = LongestBelow(bars, 1e300);
   const std::optional<double> enlarged = EnlargedLimit(bars, longest);
   std::string script = SvgHeader();
   for (size_t stage = 0; stage < bars.stages.size(); ++stage) script += StageBlock(bars, stage);
-  script += Names(bars);
+  script += BarNames(bars);
   script += fmt::format("set yrange [{}:0.6]\nset grid noytics\nset rmargin 12\n",
                         0.4 - static_cast<double>(bars.bars.size()));
   script += "set xlabel " + GnuplotText(bars.unit) + "\n";
