@@ -9,8 +9,8 @@ namespace armature {
 namespace {
 
 constexpr int kSolves = 1000;
-constexpr size_t kFloats = size_t{1} << 20;  // 4 MB
-constexpr size_t kStride = 16 * 4099;        // a prime number of cache lines: each is met once
+constexpr size_t kFloats = size_t{1} << 20;    // 4 MB
+constexpr size_t kStride = size_t{16} * 4099;  // a prime number of cache lines: each is met once
 
 // Every solution is bounded and starts the next problem, so nothing can be left out or run in parallel.
 double Arithmetic() {

@@ -31,7 +31,7 @@ void CheckNamesKnown(const std::vector<MicroBenchmark>& all, const std::vector<s
   }
 }
 
-std::optional<SpanStatistics> TimesOf(const std::vector<BenchRow>& rows, const std::string& contender) {
+std::optional<SpanStatistics> CallTimes(const std::vector<BenchRow>& rows, const std::string& contender) {
   std::vector<double> milliseconds;
   for (const BenchRow& row : rows) {
     if (row.contender == contender) milliseconds.push_back(row.wall_ms);
@@ -72,7 +72,7 @@ std::vector<NamedSpan> MicroSpans(const std::vector<MicroBenchmark>& benchmarks,
                                   const std::vector<BenchRow>& rows) {
   std::vector<NamedSpan> spans;
   for (const MicroBenchmark& benchmark : benchmarks) {
-    if (const auto times = TimesOf(rows, benchmark.name()))
+    if (const auto times = CallTimes(rows, benchmark.name()))
       spans.push_back({"micro", "", benchmark.name(), "call", *times});
   }
   return spans;

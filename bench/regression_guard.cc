@@ -63,8 +63,8 @@ size_t GuardResult::Count(Verdict verdict) const {
 
 GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord& now) {
   GuardResult result;
-  result.cpu_reference = reference.machine.cpu;
-  result.cpu_now = now.machine.cpu;
+  result.cpu_reference = reference.cpu;
+  result.cpu_now = now.cpu;
   result.calibration_reference = reference.calibration;
   result.calibration_now = now.calibration;
   const std::map<std::string, SpanStatistics> before = ByKey(reference.spans), after = ByKey(now.spans);

@@ -17,19 +17,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kSchema = 1;
 constexpr const char* kRemedy = "write a new one with 'armature bench'";
 
-Json StatisticsJson(const SpanStatistics& s) {
-  return {{"n", s.n},
-          {"mean", s.mean},
-          {"std", s.deviation},
-          {"median", s.median},
-          {"p10", s.p10},
-          {"p90", s.p90},
-          {"p99", s.p99},
-          {"max", s.max},
-          {"median_low", s.median_low},
-          {"median_high", s.median_high}};
-}
-
 SpanStatistics StatisticsFrom(const Json& json) {
   SpanStatistics s;
   s.n = json.at("n").get<size_t>();
@@ -66,8 +53,7 @@ InputError Unusable(const std::filesystem::path& file, const std::string& why) {
 BenchRecord RecordFrom(const Json& json, const std::filesystem::path& file) {
   if (!json.at("spans").is_array()) throw Unusable(file, "'spans' is no list");
   BenchRecord record;
-  record.machine.cpu = json.at("machine").at("cpu").get<std::string>();
-  record.machine.cores = json.at("machine").at("cores").get<int>();
+  record.cpu = json.at("environment").at("cpu").get<std::string>();
   record.calibration = StatisticsFrom(json.at("calibration_ms"));
   for (const Json& span : json.at("spans")) record.spans.push_back(SpanFrom(span));
   return record;
@@ -95,9 +81,22 @@ void CheckSchema(const Json& json, const std::filesystem::path& file) {
 
 }  // namespace
 
+Json StatisticsJson(const SpanStatistics& s) {
+  return {{"n", s.n},
+          {"mean", s.mean},
+          {"std", s.deviation},
+          {"median", s.median},
+          {"p10", s.p10},
+          {"p90", s.p90},
+          {"p99", s.p99},
+          {"max", s.max},
+          {"median_low", s.median_low},
+          {"median_high", s.median_high}};
+}
+
 void AddBenchRecord(const BenchRecord& record, Json& json) {
   json["schema"] = kSchema;
-  json["machine"] = {{"cpu", record.machine.cpu}, {"cores", record.machine.cores}};
+  json["environment"]["cpu"] = record.cpu;
   json["calibration_ms"] = StatisticsJson(record.calibration);
   json["spans"] = Json::array();
   for (const NamedSpan& span : record.spans) json["spans"].push_back(SpanJson(span));

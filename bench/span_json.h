@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of bench.json that a later run is compared with:
-//   {"schema": 1, "machine": {"cpu": NAME, "cores": N},
-//    "calibration_ms": {"n", "mean", "std", "median", "p10", "p90", "p99", "max",
-//                       "median_low", "median_high"},
-//    "spans": [{"table", "sequence", "contender", "stage", and as calibration_ms}]}
+//   {"schema": 1, "environment": {"cpu": NAME},
+//    "calibration_ms": {"n", "mean", "std", "median", "p10", "p90", "p99", "max", "median_low",
+//    "median_high"}, "spans": [{"table", "sequence", "contender", "stage", and as calibration_ms}]}
 // All times are milliseconds, with every digit. What else the object holds is not looked at.
 #pragma once
 
@@ -13,17 +12,18 @@
 #include <vector>
 
 #include "bench/named_span.h"
-#include "io/build_info.h"
 
 namespace armature {
 
 struct BenchRecord {
-  MachineInfo machine;
+  std::string cpu;             // see MachineInfo
   SpanStatistics calibration;  // of bench/calibration.h, in the same process
   std::vector<NamedSpan> spans;
 };
 
-// Adds the members above to an object.
+nlohmann::ordered_json StatisticsJson(const SpanStatistics& s);
+
+// Adds the members above to an object, and to its environment where it has one already.
 void AddBenchRecord(const BenchRecord& record, nlohmann::ordered_json& json);
 
 // Throws InputError when the file cannot be read, is not JSON, has another schema, lacks a member or has one

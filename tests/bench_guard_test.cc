@@ -26,7 +26,7 @@ NamedSpan GuardSpan(const std::string& contender, const SpanStatistics& times) {
 }
 
 BenchRecord GuardRecord(double calibration, const std::vector<NamedSpan>& spans) {
-  return {{"a processor", 2}, GuardTimes(calibration), spans};
+  return {"a processor", GuardTimes(calibration), spans};
 }
 
 Verdict VerdictBetween(const SpanStatistics& reference, const SpanStatistics& now,
@@ -113,7 +113,7 @@ TEST(RegressionGuard, TabulatesVerdictsAndNotesAnotherMachine) {
       GuardRecord(5, {GuardSpan("a", GuardTimes(1)), GuardSpan("gone", GuardTimes(1))});
   BenchRecord now = GuardRecord(5, {GuardSpan("a", GuardTimes(2))});
   const Table same_machine = GuardTable(CompareWithReference(reference, now));
-  now.machine.cpu = "another";
+  now.cpu = "another";
   const Table other_machine = GuardTable(CompareWithReference(reference, now));
   ASSERT_EQ(same_machine.rows.size(), 2U);
   EXPECT_EQ(same_machine.rows[0][3].text, "2.000");
