@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-constexpr int kSolves = 1000;
+constexpr int kProblems = 1000;
 constexpr size_t kFloats = size_t{1} << 20;    // 4 MB
 constexpr size_t kStride = size_t{16} * 4099;  // a prime number of cache lines: each is met once
 
@@ -18,7 +18,7 @@ double Arithmetic() {
   using Vector = Eigen::Matrix<double, 6, 1>;
   Vector x = Vector::LinSpaced(0.1, 0.6);
   double sum = 0;
-  for (int i = 0; i < kSolves; ++i) {
+  for (int i = 0; i < kProblems; ++i) {
     const Vector wave = x.unaryExpr([](double v) { return std::sin(v) + 0.5 * std::exp(-v * v); });
     const Matrix normal = wave * wave.transpose() + x * x.transpose() + Matrix::Identity();
     x = normal.ldlt().solve(Vector(wave + Vector::Constant(std::cos(0.001 * i))));

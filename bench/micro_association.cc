@@ -14,8 +14,8 @@ constexpr size_t kMatchingSegments = 80;  // the most that association takes
 constexpr int kMatchingCalls = 500;
 constexpr int kHypothesesCalls = 20;
 
-std::shared_ptr<const MicroView> ViewOf(const CategoryModel& model, size_t segments,
-                                        const MicroSetup& setup) {
+std::shared_ptr<const MicroView> SharedView(const CategoryModel& model, size_t segments,
+                                            const MicroSetup& setup) {
   return std::make_shared<const MicroView>(model, segments, setup.association.box);
 }
 
@@ -24,7 +24,7 @@ std::vector<Hypothesis> HypothesesOf(const MicroView& micro, const AssociationOp
 }
 
 Contender HypothesisContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = ViewOf(model, kMicroSegments, setup);
+  const auto micro = SharedView(model, kMicroSegments, setup);
   const std::vector<Hypothesis> hypotheses = HypothesesOf(*micro, setup.association);
   return MicroContender(name, static_cast<double>(hypotheses.size()),
                         [micro, hypotheses, options = setup.association] {
@@ -34,7 +34,7 @@ Contender HypothesisContender(const std::string& name, const CategoryModel& mode
 }
 
 Contender HypothesesContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = ViewOf(model, kMicroSegments, setup);
+  const auto micro = SharedView(model, kMicroSegments, setup);
   const size_t made = HypothesesOf(*micro, setup.association).size();
   return MicroContender(name, static_cast<double>(made * kHypothesesCalls),
                         [micro, options = setup.association] {
@@ -43,7 +43,7 @@ Contender HypothesesContender(const std::string& name, const CategoryModel& mode
 }
 
 Contender MatchingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = ViewOf(model, kMatchingSegments, setup);
+  const auto micro = SharedView(model, kMatchingSegments, setup);
   const MatchGate gate = SearchGate(micro->view, setup.association);
   return MicroContender(name, kMatchingCalls, [micro, gate, projected = micro->Project(micro->truth)] {
     for (int i = 0; i < kMatchingCalls; ++i) MatchSegments(projected, micro->view.segments, gate);

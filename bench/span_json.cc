@@ -32,7 +32,7 @@ SpanStatistics StatisticsFrom(const Json& json) {
   return s;
 }
 
-Json SpanJson(const NamedSpan& span) {
+Json NamedSpanJson(const NamedSpan& span) {
   Json json = {{"table", span.table},
                {"sequence", span.sequence},
                {"contender", span.contender},
@@ -99,7 +99,7 @@ void AddBenchRecord(const BenchRecord& record, Json& json) {
   json["environment"]["cpu"] = record.cpu;
   json["calibration_ms"] = StatisticsJson(record.calibration);
   json["spans"] = Json::array();
-  for (const NamedSpan& span : record.spans) json["spans"].push_back(SpanJson(span));
+  for (const NamedSpan& span : record.spans) json["spans"].push_back(NamedSpanJson(span));
 }
 
 BenchRecord ReadBenchRecord(const std::filesystem::path& file) {
