@@ -9,9 +9,10 @@
 //   1 + kFloor + sqrt(sum of the four medians' errors squared),
 // each error relative and towards the other side, and faster when the inverse of the ratio is. Errors are of
 // three standard deviations, because a hundred spans are compared at once. The floor, because another process
-// has other addresses and no calibration loop feels a machine exactly as every stage does. On a busy machine
-// medians of the same program, measured twice, were within 9 % of each other, pose graphs within 13 %, all
-// inside this tolerance. The machine's drift within a run hits spans and calibration alike, for they take
+// has other addresses and no calibration loop feels a machine exactly as every stage does. Seen with one
+// program measured several times beside two or three other busy processes: mostly ratios within 9 % (pose
+// graphs 16 %) and tolerances of 13 % (18 %); once medians doubled and more, and the tolerances with them;
+// never a false alarm. The machine's drift within a run hits spans and calibration alike, for they take
 // turns.
 #pragma once
 
