@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bench/keypoints_engine.h"
+#include "bench/keypoints/keypoints_engine.h"
 #include "bench/lines_engine.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench_task.h"
+#include "bench/sections/bench_task.h"
 
 namespace armature {
 

@@ -31,6 +31,9 @@ std::optional<SpanStatistics> StatisticsOf(std::vector<double> values) {
   s.p90 = QuantileOfSorted(values, 0.9);
   s.p99 = QuantileOfSorted(values, 0.99);
   s.max = values.back();
+  const double reach = std::min(0.5, 1.5 / std::sqrt(n));
+  s.median_low = QuantileOfSorted(values, 0.5 - reach);
+  s.median_high = QuantileOfSorted(values, 0.5 + reach);
   return s;
 }
 

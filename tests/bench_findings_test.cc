@@ -2,7 +2,7 @@
 // What was found in a frame against the truth.
 #include <gtest/gtest.h>
 
-#include "bench/findings.h"
+#include "bench/sections/findings.h"
 #include "geometry/rotation.h"
 
 namespace armature {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bench/heat_maps.h"
+#include "bench/keypoints/heat_maps.h"
 
 namespace armature {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "bench/hourglass_network.h"
+#include "bench/keypoints/hourglass_network.h"
 
 namespace armature {
 namespace {

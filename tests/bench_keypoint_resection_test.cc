@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bench/keypoint_resection.h"
+#include "bench/keypoints/keypoint_resection.h"
 #include "geometry/rotation.h"
 #include "support/category_examples.h"
 #include "support/synthetic_view.h"

@@ -3,10 +3,10 @@
 
 #include <array>
 
-#include "bench/drawn_keypoints.h"
 #include "bench/harness.h"
-#include "bench/keypoint_resection.h"
-#include "bench/keypoints_engine.h"
+#include "bench/keypoints/drawn_keypoints.h"
+#include "bench/keypoints/keypoint_resection.h"
+#include "bench/keypoints/keypoints_engine.h"
 #include "support/synthetic_view.h"
 
 namespace armature {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bench/line_fit.h"
+#include "bench/sections/line_fit.h"
 
 namespace armature {
 namespace {

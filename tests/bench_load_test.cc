@@ -2,8 +2,8 @@
 // What is varied to see how times grow, and how much of it a frame has.
 #include <gtest/gtest.h>
 
-#include "bench/load_variants.h"
-#include "bench/view_counts.h"
+#include "bench/sections/load_variants.h"
+#include "bench/sections/view_counts.h"
 #include "support/bench_fakes.h"
 #include "support/synthetic_view.h"
 

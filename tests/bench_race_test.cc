@@ -2,7 +2,7 @@
 // Who takes part in which input, and what of it counts.
 #include <gtest/gtest.h>
 
-#include "bench/sparse_inputs.h"
+#include "bench/sections/sparse_inputs.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From rows of known durations to tables.
-#include "bench/bench_tables.h"
+#include "bench/sections/bench_tables.h"
 
 #include <gtest/gtest.h>
 
-#include "bench/comparison_section.h"
-#include "bench/detectors_section.h"
-#include "bench/objects_section.h"
+#include "bench/sections/comparison_section.h"
+#include "bench/sections/detectors_section.h"
+#include "bench/sections/objects_section.h"
 #include "bench/spans.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"

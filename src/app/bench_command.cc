@@ -9,7 +9,7 @@
 
 #include "app/bench_output.h"
 #include "bench/bench_sequence.h"
-#include "bench/bench_tables.h"
+#include "bench/sections/bench_tables.h"
 #include "eval/category_lookup.h"
 #include "io/errors.h"
 #include "io/option_value.h"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A stacked hourglass (Newell, Yang, Deng: Stacked Hourglass Networks for Human Pose Estimation, ECCV 2016),
+// the kind of network that finds keypoints, of its published size but with random weights: it knows nothing,
+// and takes the time that one takes which does.
+//
+// Its layers are those of the authors' code (github.com/princeton-vl/pose-hg-train, src/models/hg.lua) in the
+// widths of its PyTorch port, of which a two-stack model was published (github.com/bearpaw/pytorch-pose,
+// pose/models/hourglass.py, hg_s2_b1). The two differ before the first hourglass, where the port's residuals
+// have 256 channels one earlier, and after each, where the port has one residual more.
+//
+// Counted for the 16 maps of human joints, in our layers:
+//   stacks  parameters   multiply-adds  known as
+//     2      6 730 912   8 988 917 760  the port's hg_s2_b1, 6.73 M
+//     8     25 594 624  28 094 496 768  the port's hg_s8_b1, 25.6 M, Newell's eight stacks; Zhang et al.
+//                                       2019 (Fast Human Pose Estimation) count 26 M and 55 G operations:
+//                                       27.5 G multiply-adds
+// Parameters are weights and biases of convolutions, scales and shifts of batch normalisations.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+
+#include "bench/keypoints/network_builder.h"
+
+namespace armature {
+
+struct HourglassOptions {
+  int stacks = 2;
+  int depth = 4;       // halvings in an hourglass
+  int features = 256;  // channels, even
+  int maps = 16;       // heat maps out, one a keypoint
+  int input = 256;     // pixels, of the square picture; the maps have a quarter of it
+  std::uint64_t seed = 1;
+};
+
+class HourglassNetwork {
+ public:
+  explicit HourglassNetwork(const HourglassOptions& options);
+
+  // `picture`: 8 bit, three channels, input x input pixels. Returns the last stack's maps, 1 x maps x input/4
+  // x input/4 floats, which stay valid until the next call. On the CPU, in as many threads as OpenCV may use.
+  cv::Mat Forward(const cv::Mat& picture);
+
+  const NetworkCost& cost() const { return cost_; }
+  // Additions and multiplications of all layers as OpenCV counts them.
+  std::int64_t OperationsByOpenCv() const;
+
+ private:
+  HourglassOptions options_;
+  cv::dnn::Net net_;
+  NetworkCost cost_;
+};
+
+}  // namespace armature

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/keypoints/keypoint_input.h"
+
+#include <optional>
+#include <utility>
+
+#include "association/box_constraints.h"
+#include "bench/keypoints/drawn_keypoints.h"
+#include "bench/keypoints/heat_maps.h"
+#include "bench/keypoints/keypoint_resection.h"
+
+namespace armature {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+// By two of its corners.
+Box UndistortedBox(const Camera& camera, const Box& box) {
+  const Eigen::Vector2d low = UndistortPixel(camera, {box.left(), box.top()});
+  const Eigen::Vector2d high = UndistortPixel(camera, {box.right(), box.bottom()});
+  return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
+std::optional<Eigen::Vector3d> UpOf(const BenchSequence& sequence, const FrameInput& input) {
+  if (!sequence.up_odom || !input.T_odom_camera) return std::nullopt;
+  return (input.T_odom_camera->linear().transpose() * *sequence.up_odom).normalized();
+}
+
+KeypointInput InputOf(const Detection& detection, const KeypointCategory& category, const Camera& camera,
+                      const std::optional<Eigen::Vector3d>& up_camera, double cut_tolerance, Random& random) {
+  KeypointInput input;
+  input.view.camera = &camera;
+  input.view.model = &category.model;
+  input.view.detection = detection;
+  input.view.detection.box = UndistortedBox(camera, detection.box);
+  input.view.sides = SidesAtImageBorder(input.view.detection.box, camera, cut_tolerance);
+  input.view.up_camera = up_camera;
+  input.keypoints = &category.keypoints;
+  input.crop = CropAround(detection.box);
+  input.maps = DrawHeatMaps(DrawnKeypoints(input.view, category.keypoints, random), input.crop);
+  return input;
+}
+
+}  // namespace
+
+KeypointCategories KeypointCategoriesOf(std::vector<CategoryModel> models) {
+  KeypointCategories categories;
+  for (CategoryModel& model : models) {
+    const std::string name = model.spec.name;
+    std::vector<ShapePoint> keypoints = KeypointsOf(model);
+    categories.emplace(name, KeypointCategory{std::move(model), std::move(keypoints)});
+  }
+  return categories;
+}
+
+KeypointInputs KeypointInputsOf(const BenchSequence& sequence, const KeypointCategories& categories,
+                                double cut_tolerance) {
+  KeypointInputs inputs;
+  std::uint64_t stream = 0;
+  for (const BenchFrame& frame : sequence.frames) {
+    const std::optional<Eigen::Vector3d> up_camera = UpOf(sequence, frame.input);
+    std::vector<KeypointInput>& of_frame = inputs[&frame];
+    for (const Detection& detection : frame.input.detections) {
+      Random random(StreamSeed(kSeed, stream++));
+      of_frame.push_back(InputOf(detection, categories.at(detection.category), sequence.camera, up_camera,
+                                 cut_tolerance, random));
+    }
+  }
+  return inputs;
+}
+
+}  // namespace armature

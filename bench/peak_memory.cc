@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/peak_memory.h"
+
+#include <fcntl.h>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+enum ExitStatus { kDone = 0, kBadInput = 2, kFailed = 3 };
+
+double ResidentMegabytes() {
+  long pages = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> pages >> resident;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
+}
+
+void Silence() {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere < 0) return;
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+}
+
+void Send(int pipe, const void* bytes, size_t size) {
+  if (write(pipe, bytes, size) < 0) _exit(kFailed);
+}
+
+// Sends what is resident, then the message of what was thrown. Never returns: what the parent registered to
+// run at exit is the parent's.
+[[noreturn]] void RunChild(const std::function<void()>& work, int pipe) {
+  Silence();
+  const double before = ResidentMegabytes();
+  Send(pipe, &before, sizeof before);
+  try {
+    work();
+  } catch (const InputError& error) {
+    Send(pipe, error.what(), std::strlen(error.what()));
+    _exit(kBadInput);
+  } catch (const std::exception& error) {
+    Send(pipe, error.what(), std::strlen(error.what()));
+    _exit(kFailed);
+  }
+  _exit(kDone);
+}
+
+std::string ReadAll(int pipe) {
+  std::string all;
+  std::array<char, 4096> part;
+  for (ssize_t size = 0; (size = read(pipe, part.data(), part.size())) != 0;) {
+    if (size > 0) all.append(part.data(), static_cast<size_t>(size));
+    if (size < 0 && errno != EINTR) break;
+  }
+  close(pipe);
+  return all;
+}
+
+rusage WaitFor(pid_t child, int& status) {
+  rusage usage{};
+  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  return usage;
+}
+
+void CheckEnd(int status, const std::string& message) {
+  if (WIFSIGNALED(status)) {
+    throw std::runtime_error(std::string("measuring memory: the child process was ended by signal ") +
+                             strsignal(WTERMSIG(status)));
+  }
+  if (WEXITSTATUS(status) == kBadInput) throw InputError(message);
+  if (WEXITSTATUS(status) != kDone) throw std::runtime_error("measuring memory: " + message);
+}
+
+}  // namespace
+
+PeakMemory PeakMemoryOf(const std::function<void()>& work) {
+  std::fflush(nullptr);  // or the child could write it a second time
+  malloc_trim(0);
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) throw std::runtime_error("measuring memory: no pipe");
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("measuring memory: no further process can be started");
+  if (child == 0) RunChild(work, ends[1]);
+  close(ends[1]);
+  const std::string sent = ReadAll(ends[0]);
+  int status = 0;
+  const rusage usage = WaitFor(child, status);
+  PeakMemory memory;
+  const size_t head = std::min(sent.size(), sizeof memory.before_mb);
+  std::memcpy(&memory.before_mb, sent.data(), head);
+  CheckEnd(status, sent.substr(head));
+  memory.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kilobytes
+  return memory;
+}
+
+}  // namespace armature

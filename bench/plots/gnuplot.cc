@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/plots/gnuplot.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "io/errors.h"
+
+namespace armature {
+namespace {
+
+constexpr std::array<const char*, 7> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                 "#e69f00", "#56b4e9", "#000000"};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+File ScriptFile(const std::string& script) {
+  File file(std::tmpfile());
+  if (!file || std::fputs(script.c_str(), file.get()) < 0 || std::fflush(file.get()) != 0)
+    throw InputError(
+        fmt::format("cannot write a temporary file: {}; make room in /tmp", std::strerror(errno)));
+  std::rewind(file.get());
+  return file;
+}
+
+// Reads the script and writes the picture through files that are open already. 0 or an errno.
+int Spawn(std::FILE* script, std::FILE* svg, pid_t& child) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, fileno(svg), STDOUT_FILENO);
+  // -d: no settings of the user's own.
+  std::array<char*, 4> arguments = {const_cast<char*>("gnuplot"), const_cast<char*>("-d"),
+                                    const_cast<char*>("-"), nullptr};
+  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return failure;
+}
+
+bool Succeeded(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return false;
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::string GnuplotText(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') quoted += '\'';
+    quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return quoted + "'";
+}
+
+std::string GnuplotNumber(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "NaN"; }
+
+std::string PlotColour(size_t index) { return kColours[index % kColours.size()]; }
+
+std::string SvgHeader() {
+  return "set encoding utf8\n"
+         "set terminal svg size 900,560 fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
+         "set border 3 lc rgb '#404040'\n"
+         "set tics nomirror out\n"
+         "set key tmargin center horizontal Left reverse samplen 2\n"
+         "set grid lt 1 lw 1 lc rgb '#dddddd'\n";
+}
+
+void RunGnuplot(const std::string& script, const std::filesystem::path& svg) {
+  const File input = ScriptFile(script);
+  const File output(std::fopen(svg.c_str(), "wb"));
+  if (!output) {
+    throw InputError(fmt::format("{}: cannot write the picture: {}; choose a folder that can be written",
+                                 svg.string(), std::strerror(errno)));
+  }
+  pid_t child = 0;
+  const int failure = Spawn(input.get(), output.get(), child);
+  if (failure == 0 && Succeeded(child)) return;
+  std::error_code ignored;
+  std::filesystem::remove(svg, ignored);
+  throw InputError(failure != 0
+                       ? fmt::format("cannot start gnuplot, which draws the plots: {}; install it "
+                                     "(apt-get install gnuplot-nox)",
+                                     std::strerror(failure))
+                       : fmt::format("{}: gnuplot failed, its reason is above; 5.4 or later is needed "
+                                     "(apt-get install gnuplot-nox)",
+                                     svg.string()));
+}
+
+}  // namespace armature

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/sections/bench_tables.h"
+
+#include <algorithm>
+
+#include "bench/sections/comparison_section.h"
+#include "bench/sections/detectors_section.h"
+#include "bench/sections/objects_section.h"
+#include "bench/sections/scaling_section.h"
+#include "io/errors.h"
+#include "io/nearest_name.h"
+
+namespace armature {
+
+const std::vector<std::string>& BenchTableNames() {
+  static const std::vector<std::string> names{"comparison", "objects", "detectors", "scaling"};
+  return names;
+}
+
+void CheckBenchTableName(const std::string& name) {
+  const std::vector<std::string>& known = BenchTableNames();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw InputError("--tables: " + UnknownNameMessage("table", name, known));
+}
+
+BenchSection MeasureSection(const std::string& name, const BenchTask& task) {
+  if (name == "comparison") return ComparisonSection(task);
+  if (name == "objects") return ObjectsSection(task);
+  if (name == "detectors") return DetectorsSection(task);
+  return ScalingSection(task);
+}
+
+}  // namespace armature
