@@ -53,6 +53,8 @@ class EdLines final : public LineDetector {
 
 }  // namespace
 
-std::unique_ptr<LineDetector> MakeEdLines(bool published) { return std::make_unique<EdLines>(published); }
+std::unique_ptr<LineDetector> MakeEdLines(const LineOptions& options) {
+  return std::make_unique<EdLines>(options.published);
+}
 
 }  // namespace armature

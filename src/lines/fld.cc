@@ -27,6 +27,8 @@ class Fld final : public LineDetector {
 
 }  // namespace
 
-std::unique_ptr<LineDetector> MakeFld(bool published) { return std::make_unique<Fld>(published); }
+std::unique_ptr<LineDetector> MakeFld(const LineOptions& options) {
+  return std::make_unique<Fld>(options.published);
+}
 
 }  // namespace armature

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSmallestSide = 16;  // pixels: in smaller regions OpenCV's detectors throw
 
-using Maker = std::unique_ptr<LineDetector> (*)(bool published);
+using Maker = std::unique_ptr<LineDetector> (*)(const LineOptions& options);
 
 const std::vector<std::pair<std::string, Maker>>& Makers() {
   static const std::vector<std::pair<std::string, Maker>> makers = {
@@ -60,7 +60,7 @@ const std::vector<std::string>& LineDetectorNames() {
 
 std::unique_ptr<LineDetector> MakeLineDetector(const LineOptions& options) {
   for (const auto& [name, maker] : Makers()) {
-    if (name == options.detector) return maker(options.published);
+    if (name == options.detector) return maker(options);
   }
   std::abort();
 }

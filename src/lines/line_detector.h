@@ -15,8 +15,9 @@ namespace armature {
 
 struct LineOptions {
   std::string detector = "edgedrawing";  // one of LineDetectorNames()
-  bool published = false;    // the detector's published parameters instead of those tuned for recall
-  double min_length = 10;    // pixels, shorter segments are dropped
+  bool published = false;          // the detector's published parameters instead of those tuned for recall
+  double edgedrawing_scale = 0.7;  // of the image that the tuned edgedrawing looks at, 1: as it is
+  double min_length = 10;          // pixels, shorter segments are dropped
   bool boxes_only = false;   // look only inside the grown boxes of the detections, not at the whole image
   double box_margin = 0.06;  // a box is grown by this share of its larger side, each side
 };

@@ -42,6 +42,8 @@ class Lsd final : public LineDetector {
 
 }  // namespace
 
-std::unique_ptr<LineDetector> MakeLsd(bool published) { return std::make_unique<Lsd>(published); }
+std::unique_ptr<LineDetector> MakeLsd(const LineOptions& options) {
+  return std::make_unique<Lsd>(options.published);
+}
 
 }  // namespace armature

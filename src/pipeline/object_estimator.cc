@@ -60,55 +60,63 @@ std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hyp
   return prior + LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
 }
 
+struct Ranked {
+  double cost = 0;
+  size_t hypothesis = 0;
+};
+
 // Algorithm 1: the cost of every hypothesis, the best first.
-std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& options) {
-  std::vector<Wireframe> dictionary;
-  for (const Eigen::VectorXd& c : view.model->dictionary)
-    dictionary.push_back(WireframeFromCoefficients(*view.model, c));
+std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& dictionary,
+                         const std::vector<Hypothesis>& hypotheses, const AssociationOptions& options) {
   const Wireframe remembered =
       view.memory ? WireframeFromCoefficients(*view.model, view.memory->expected.coefficients) : Wireframe{};
   const MatchGate gate = GateOfRound(view, options, 0);
   ProjectedWireframe scratch;
-  std::vector<Candidate> candidates;
+  std::vector<Ranked> ranking;
   double best = 1e9;
-  for (Hypothesis& hypothesis : MakeHypotheses(view, dictionary, options.box, options.hypotheses)) {
-    const int index = hypothesis.dictionary_index;
+  for (size_t i = 0; i < hypotheses.size(); ++i) {
+    const int index = hypotheses[i].dictionary_index;
     const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
     const std::optional<double> cost =
-        options.cost == "printed"
-            ? PrintedCost(view, hypothesis.start, wireframe, options, scratch)
-            : CoverageCost(view, hypothesis, wireframe, gate, best + options.prune_margin, options, scratch);
+        options.cost == "printed" ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
+                                  : CoverageCost(view, hypotheses[i], wireframe, gate,
+                                                 best + options.prune_margin, options, scratch);
     if (!cost) continue;
     best = std::min(best, *cost);
-    Candidate candidate;
-    candidate.cost = *cost;
-    candidate.estimate = hypothesis.start;
-    candidate.hypothesis = std::move(hypothesis);
-    candidates.push_back(std::move(candidate));
+    ranking.push_back({*cost, i});
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-  return candidates;
+  std::stable_sort(ranking.begin(), ranking.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
+  return ranking;
 }
 
-bool AreAlike(const Candidate& a, const Candidate& b, const AssociationOptions& options, int symmetry_order) {
-  const double za = a.estimate.T_camera_object.translation().z(),
-               zb = b.estimate.T_camera_object.translation().z();
-  return std::abs(AzimuthDifference(a.hypothesis.azimuth, b.hypothesis.azimuth, symmetry_order)) <
+bool AreAlike(const Hypothesis& a, const Hypothesis& b, const AssociationOptions& options,
+              int symmetry_order) {
+  const double za = a.start.T_camera_object.translation().z(), zb = b.start.T_camera_object.translation().z();
+  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) <
              options.diverse_azimuth_deg * kDegree &&
          std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
 }
 
-// The best few that are not alike.
-std::vector<Candidate> Diverse(std::vector<Candidate> ranked, const AssociationOptions& options,
-                               int symmetry_order) {
+// The best few hypotheses that are not alike.
+std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& options) {
+  std::vector<Wireframe> dictionary;
+  for (const Eigen::VectorXd& c : view.model->dictionary)
+    dictionary.push_back(WireframeFromCoefficients(*view.model, c));
+  const std::vector<Hypothesis> hypotheses =
+      MakeHypotheses(view, dictionary, options.box, options.hypotheses);
   std::vector<Candidate> kept;
-  for (Candidate& candidate : ranked) {
+  for (const Ranked& ranked : Rank(view, dictionary, hypotheses, options)) {
     if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
+    const Hypothesis& hypothesis = hypotheses[ranked.hypothesis];
     const bool alike = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-      return AreAlike(candidate, other, options, symmetry_order);
+      return AreAlike(hypothesis, other.hypothesis, options, view.model->spec.symmetry_order);
     });
-    if (!alike) kept.push_back(std::move(candidate));
+    if (alike) continue;
+    Candidate& candidate = kept.emplace_back();
+    candidate.hypothesis = hypothesis;
+    candidate.estimate = hypothesis.start;
+    candidate.cost = ranked.cost;
   }
   return kept;
 }
@@ -260,7 +268,7 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   std::vector<Candidate> candidates;
   {
     const StageClock clock(times.association_ms);
-    candidates = Diverse(Search(view, association), association, view.model->spec.symmetry_order);
+    candidates = Search(view, association);
   }
   Refine(view, association, resection, candidates, times);
   const auto best = std::min_element(candidates.begin(), candidates.end(),

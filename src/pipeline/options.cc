@@ -8,6 +8,9 @@ void AddLineOptions(LineOptions& o, std::vector<OptionEntry>& t) {
   t.push_back(Option("association.detector", &o.detector, "line segment detector", LineDetectorNames()));
   t.push_back(Option("lines.published", &o.published,
                      "the detector's published parameters, not those tuned for recall"));
+  t.push_back(Option("lines.edgedrawing_scale", &o.edgedrawing_scale,
+                     "share of the image's size that the tuned edgedrawing looks at: half is twice as fast",
+                     0.2, 1));
   t.push_back(Option("lines.min_length", &o.min_length, "shortest segment, pixels", 1, 1000));
   t.push_back(
       Option("lines.boxes_only", &o.boxes_only, "look only inside the grown boxes, not at the whole image"));

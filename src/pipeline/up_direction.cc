@@ -75,11 +75,13 @@ UpEstimator::Refined UpEstimator::Refine(const Eigen::Vector3d& start, double co
   for (int iteration = 0; iteration < 8; ++iteration, cone = std::max(0.6 * cone, 2.5 * segment_sigma)) {
     refined.information = DirectionInformation(rough, rough_sigma);
     refined.support = 0;
+    const double outside = std::sin(cone);  // most segments are, and need no arcus
     for (const FrameEvidence& frame : window_) {
       for (size_t i = 0; i < frame.plane_normals.size(); ++i) {
         const Eigen::Vector3d& n = frame.plane_normals[i];
-        const double off = std::asin(std::clamp(n.dot(refined.up), -1.0, 1.0));
-        if (std::abs(off) > cone) continue;
+        const double sine = n.dot(refined.up);
+        if (std::abs(sine) > outside) continue;
+        const double off = std::asin(sine);
         const double bisquare = 1 - off * off / (cone * cone);
         const double weight = share * frame.weights[i] * bisquare * bisquare;
         refined.support += weight;
