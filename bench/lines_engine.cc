@@ -5,6 +5,12 @@
 
 namespace armature {
 
+std::unique_ptr<FramePipeline> MakePipeline(Options options, const std::vector<CategoryModel>& models,
+                                            const BenchSequence& sequence) {
+  if (sequence.odometry_metric) options.mapping.scale = "none";
+  return std::make_unique<FramePipeline>(options, sequence.camera, models, sequence.up_odom);
+}
+
 LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
     : options_(std::move(options)), models_(std::move(models)) {}
 
@@ -17,9 +23,7 @@ std::string LinesEngine::Description() const {
 }
 
 void LinesEngine::Start(const BenchSequence& sequence) {
-  Options options = options_;
-  if (sequence.odometry_metric) options.mapping.scale = "none";  // as `armature run` has it
-  pipeline_ = std::make_unique<FramePipeline>(options, sequence.camera, models_, sequence.up_odom);
+  pipeline_ = MakePipeline(options_, models_, sequence);
 }
 
 FrameOutcome LinesEngine::Process(const BenchFrame& frame) {

@@ -11,6 +11,10 @@
 
 namespace armature {
 
+// The pipeline for a sequence, as `armature run` sets it up.
+std::unique_ptr<FramePipeline> MakePipeline(Options options, const std::vector<CategoryModel>& models,
+                                            const BenchSequence& sequence);
+
 class LinesEngine : public Engine {
  public:
   LinesEngine(Options options, std::vector<CategoryModel> models);

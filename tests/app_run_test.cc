@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -105,6 +106,23 @@ TEST(AppRun, SameInputGivesTheSameBytes) {
     EXPECT_EQ(ReadFile(folder / "a" / file), ReadFile(folder / "b" / file)) << file;
   }
   EXPECT_GT(CsvTable(folder / "a/associations.csv", {"timestamp"}).rows().size(), 20u);
+}
+
+TEST(AppRun, TwoThreadsGiveTheSameBytesAndSkipTheSameImages) {
+  const TempFolder folder;
+  const std::string sequence = folder / "out/den";
+  GenerateSmallScene(folder, 4);
+  std::ofstream(sequence + "/rgb/0002.jpg") << "not an image";
+  RunOk({"run", sequence, "--out", folder / "one"});
+  RunOk({"run", sequence, "--out", folder / "two", "--pipelined"});
+  for (const std::string file : {"observations.csv", "associations.csv", "objects.csv", "trajectory.txt"}) {
+    EXPECT_EQ(ReadFile(folder / "one" / file), ReadFile(folder / "two" / file)) << file;
+  }
+  const auto summary = nlohmann::json::parse(ReadFile(folder / "two/summary.json"));
+  EXPECT_EQ(summary["threads"], 2);
+  EXPECT_EQ(summary["counts"]["skipped_images"], 1);
+  EXPECT_GT(summary["pace"]["frames_per_second"], 0);
+  EXPECT_GE(summary["pace"]["latency_ms"]["median"], summary["stages_ms"]["association"]["median"]);
 }
 
 TEST(AppRun, DrawsOverlaysOfTheFirstFrames) {

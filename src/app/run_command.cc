@@ -68,6 +68,7 @@ int RunRun(const RunArguments& arguments) {
   settings.preset = arguments.configuration.preset;
   settings.config_yaml = ConfigurationText(arguments.configuration, settings.options);
   settings.overlays = arguments.overlays;
+  settings.pipelined = arguments.pipelined;
   settings.frames = arguments.frames;
 
   const std::vector<Sequence> sequences = LoadSequences(arguments.sequences, CategoryNames(settings.models));
@@ -92,9 +93,10 @@ void AddRunCommand(CLI::App& app, int& exit_status) {
       ->type_name("DIR");
   AddConfigurationArguments(*run, a.configuration);
   run->add_flag("--overlays", a.overlays, "also write a picture of each frame");
-  run->add_option("--frames", a.frames, "only the first N images (0: all)")
-
-      ->type_name("N");
+  run->add_flag(
+      "--pipelined", a.pipelined,
+      "load the next image and find its lines in a second thread: the same results, more frames a second");
+  run->add_option("--frames", a.frames, "only the first N images (0: all)")->type_name("N");
   run->add_flag("--json", a.json, "print JSON instead of a table");
   run->callback([arguments, &exit_status] { exit_status = RunRun(*arguments); });
 }

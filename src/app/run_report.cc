@@ -35,17 +35,21 @@ Cell MedianCell(const SequenceRunResult& result, const std::string& name) {
 
 Table RunTable(const std::vector<SequenceRunResult>& results) {
   Table table;
-  table.columns = {"sequence",   "frames",           "skipped",           "detections", "placed",
-                   "lines [ms]", "association [ms]", "optimization [ms]", "total [ms]"};
+  table.columns = {"sequence",   "frames",       "skipped",          "detections",
+                   "placed",     "lines [ms]",   "association [ms]", "optimization [ms]",
+                   "total [ms]", "latency [ms]", "frames/s"};
   for (const SequenceRunResult& result : results) {
     const RunCounts& counts = result.counts;
     table.rows.push_back(
         {TextCell(result.sequence), CountCell(counts.frames), CountCell(counts.skipped_images),
          CountCell(counts.detections), CountCell(counts.observations.front()), MedianCell(result, "lines"),
-         MedianCell(result, "association"), MedianCell(result, "optimization"), MedianCell(result, "total")});
+         MedianCell(result, "association"), MedianCell(result, "optimization"), MedianCell(result, "total"),
+         NumberCell(Quantile(result.pace.latency_ms, 0.5), 2), NumberCell(result.pace.frames_per_second, 0)});
   }
-  table.notes = {"placed: detections with status ok. Times: median of a frame, all its objects, one thread;",
-                 "total: every stage but loading the image."};
+  table.notes = {
+      "placed: detections with status ok. Times: median of a frame, all its objects, one thread a stage;",
+      "total: every stage but loading the image. latency: from the loaded image to the result, median.",
+      "frames/s: over all frames, with loading them and writing the rows."};
   return table;
 }
 

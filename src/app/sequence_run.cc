@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -17,31 +19,59 @@
 #include "io/progress.h"
 #include "io/run_writer.h"
 #include "pipeline/frame_pipeline.h"
+#include "pipeline/one_ahead.h"
 #include "pipeline/stage_clock.h"
 
 namespace armature {
 namespace {
 
-struct LoadedImage {
-  ImageResult colour;
-  cv::Mat gray;
-  double milliseconds = 0;
-};
+using Clock = std::chrono::steady_clock;
 
-LoadedImage Load(const ImageEntry& entry, const Camera& camera) {
-  LoadedImage loaded;
-  const StageClock clock(loaded.milliseconds);
-  loaded.colour = ReadImage(entry.file, camera);
-  if (loaded.colour.image) cv::cvtColor(*loaded.colour.image, loaded.gray, cv::COLOR_BGR2GRAY);
-  return loaded;
+double SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-FrameResult ProcessFrame(const Sequence& sequence, size_t index, const LoadedImage& image,
+// A frame before its objects are looked for.
+struct PreparedFrame {
+  ImageResult colour;
+  double load_ms = 0;
+  Clock::time_point loaded;  // when the image was there
+  DetectedLines lines;
+};
+
+PreparedFrame Prepare(const Sequence& sequence, size_t index, FramePipeline& pipeline) {
+  PreparedFrame prepared;
+  cv::Mat gray;
+  {
+    const StageClock clock(prepared.load_ms);
+    prepared.colour = ReadImage(sequence.images[index].file, sequence.camera);
+    if (prepared.colour.image) cv::cvtColor(*prepared.colour.image, gray, cv::COLOR_BGR2GRAY);
+  }
+  prepared.loaded = Clock::now();
+  if (prepared.colour.image) prepared.lines = pipeline.DetectLines(gray, sequence.detections[index]);
+  return prepared;
+}
+
+// The frames one after the other, prepared as they are asked for or one ahead.
+class FrameSource {
+ public:
+  FrameSource(const Sequence& sequence, size_t count, FramePipeline& pipeline, bool pipelined)
+      : prepare_([&](size_t index) { return Prepare(sequence, index, pipeline); }) {
+    if (pipelined) ahead_.emplace(count, prepare_);
+  }
+  PreparedFrame Frame(size_t index) { return ahead_ ? ahead_->Take() : prepare_(index); }
+
+ private:
+  std::function<PreparedFrame(size_t)> prepare_;
+  std::optional<OneAhead<PreparedFrame>> ahead_;
+};
+
+FrameResult ProcessFrame(const Sequence& sequence, size_t index, PreparedFrame& prepared,
                          FramePipeline& pipeline) {
   const FrameInput input{sequence.images[index].timestamp, sequence.detections[index],
                          sequence.T_odom_camera[index]};
-  FrameResult frame = pipeline.Process(image.gray, input);
-  frame.times.load = image.milliseconds;
+  FrameResult frame = pipeline.Process(std::move(prepared.lines), input);
+  frame.times.load = prepared.load_ms;
   return frame;
 }
 
@@ -93,6 +123,36 @@ size_t FrameCount(const Sequence& sequence, int limit) {
   return std::min(sequence.images.size(), static_cast<size_t>(limit));
 }
 
+// All frames, from the image to the result.
+FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& settings, FramePipeline& pipeline,
+                    RunWriter& writer) {
+  const size_t count = FrameCount(sequence, settings.frames);
+  Progress progress(sequence.name + ": frames", static_cast<long>(count));
+  FramePace pace;
+  const Clock::time_point start = Clock::now();
+  FrameSource frames(sequence, count, pipeline, settings.pipelined);
+  for (size_t i = 0; i < count; ++i) {
+    ThrowIfInterrupted();
+    PreparedFrame prepared = frames.Frame(i);
+    const ImageResult& colour = prepared.colour;
+    if (!colour.image) {
+      if (i == 0) throw InputError(colour.error);
+      fmt::print(stderr, "armature: skipped {}\n", colour.error);
+      writer.AddSkippedImage(sequence.images[i].timestamp, colour.error);
+    } else {
+      const FrameResult frame = ProcessFrame(sequence, i, prepared, pipeline);
+      pace.latency_ms.push_back(static_cast<float>(1000 * SecondsSince(prepared.loaded)));
+      writer.AddFrame(frame);
+      if (settings.overlays) {
+        WriteOverlay(writer.partial(), i, *colour.image, frame, settings.models, sequence.camera);
+      }
+    }
+    progress.Step();
+  }
+  pace.frames_per_second = static_cast<double>(count) / SecondsSince(start);
+  return pace;
+}
+
 }  // namespace
 
 SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSettings& settings,
@@ -101,34 +161,17 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   writer.WriteConfig(settings.config_yaml);
   FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models,
                          sequence.up);
-  const size_t count = FrameCount(sequence, settings.frames);
   NoteOdometryGaps(sequence);
-  {
-    Progress progress(sequence.name + ": frames", static_cast<long>(count));
-    for (size_t i = 0; i < count; ++i) {
-      ThrowIfInterrupted();
-      const LoadedImage image = Load(sequence.images[i], sequence.camera);
-      if (!image.colour.image) {
-        if (i == 0) throw InputError(image.colour.error);
-        fmt::print(stderr, "armature: skipped {}\n", image.colour.error);
-        writer.AddSkippedImage(sequence.images[i].timestamp, image.colour.error);
-      } else {
-        const FrameResult frame = ProcessFrame(sequence, i, image, pipeline);
-        writer.AddFrame(frame);
-        if (settings.overlays) {
-          WriteOverlay(writer.partial(), i, *image.colour.image, frame, settings.models, sequence.camera);
-        }
-      }
-      progress.Step();
-    }
-  }
+  const FramePace pace = RunFrames(sequence, settings, pipeline, writer);
   const std::optional<MapSummary> map = WriteMaps(pipeline, writer);
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
                  .preset = settings.preset,
+                 .threads = settings.pipelined ? 2 : 1,
                  .odometry = sequence.coverage,
-                 .map = map});
-  return {sequence.name, folder, writer.counts(), writer.statistics(), map};
+                 .map = map,
+                 .pace = pace});
+  return {sequence.name, folder, writer.counts(), writer.statistics(), pace, map};
 }
 
 }  // namespace armature

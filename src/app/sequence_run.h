@@ -22,6 +22,7 @@ struct SequenceRunSettings {
   std::string config_yaml;  // text of config.yaml
   bool overlays = false;    // also write overlays/<index>.jpg
   int frames = 0;           // only the first so many, 0: all
+  bool pipelined = false;   // load the next image and find its lines in a second thread
 };
 
 struct SequenceRunResult {
@@ -29,6 +30,7 @@ struct SequenceRunResult {
   std::filesystem::path folder;  // of the run
   RunCounts counts;
   StageStatistics statistics;
+  FramePace pace;
   std::optional<MapSummary> map;  // none without odometry
 };
 

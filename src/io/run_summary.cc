@@ -63,6 +63,14 @@ Json MapJson(const std::optional<MapSummary>& map, const RunCounts& counts) {
           {"back_end_ms_per_frame", Rounded(BackEndMilliseconds(counts, *map))}};
 }
 
+Json PaceJson(const FramePace& pace) {
+  return {{"latency_ms",
+           {{"median", QuantileJson(pace.latency_ms, 0.5)},
+            {"p90", QuantileJson(pace.latency_ms, 0.9)},
+            {"p99", QuantileJson(pace.latency_ms, 0.99)}}},
+          {"frames_per_second", Rounded(pace.frames_per_second)}};
+}
+
 Json SkippedJson(const RunCounts& counts) {
   Json skipped = Json::array();
   for (const SkippedImage& image : counts.skipped) {
@@ -97,6 +105,7 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   json["map"] = MapJson(summary.map, counts);
   json["skipped"] = SkippedJson(counts);
   json["stages_ms"] = StagesJson(statistics);  // wall clock a frame; total is without load
+  json["pace"] = PaceJson(summary.pace);
   json["wall_seconds"] = Rounded(wall_seconds);
   json["peak_memory_mb"] = Rounded(PeakMemoryMegabytes());
   json["complete"] = true;

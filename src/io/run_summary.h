@@ -42,6 +42,12 @@ struct MapSummary {
   double solve_ms = 0;        // of the batch solution at the end
 };
 
+// How fast frames came out, the writing of the run folder included.
+struct FramePace {
+  std::vector<float> latency_ms;  // from the loaded image to the frame's result, a value a processed frame
+  double frames_per_second = 0;   // over all frames, loading them as well
+};
+
 // What the caller knows about the run.
 struct RunSummary {
   std::string sequence;           // its name
@@ -50,6 +56,7 @@ struct RunSummary {
   int threads = 1;
   OdometryCoverage odometry{};      // of the whole sequence
   std::optional<MapSummary> map{};  // none without odometry
+  FramePace pace{};
 };
 
 // Milliseconds a frame of the back end: both of the above, over the frames.

@@ -53,15 +53,25 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       tracks_(options_.tracks),
       map_(options_.mapping, options_.association.box, options_.resection) {}
 
-FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& given) {
+FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
+  return Process(DetectLines(gray, input.detections), input);
+}
+
+// One pass over the image for all objects.
+DetectedLines FramePipeline::DetectLines(const cv::Mat& gray, const std::vector<Detection>& detections) {
+  DetectedLines lines;
+  const StageClock clock(lines.milliseconds);
+  lines.segments = DetectSegments(*detector_, gray, camera_, BoxesOf(detections), options_.lines);
+  return lines;
+}
+
+FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given) {
   FrameInput input = given;
   if (!options_.association.hypotheses.use_viewpoint) ForgetViewpoints(input.detections);
   FrameResult result;
   result.timestamp = input.timestamp;
-  {  // one pass over the image for all objects
-    const StageClock clock(result.times.lines);
-    result.segments = DetectSegments(*detector_, gray, camera_, BoxesOf(input.detections), options_.lines);
-  }
+  result.segments = std::move(lines.segments);
+  result.times.lines = lines.milliseconds;
   std::vector<ObjectView> views;
   std::vector<int> tracks;
   {  // what is known before an object is looked at

@@ -25,6 +25,12 @@ struct FrameInput {
   std::optional<Eigen::Isometry3d> T_odom_camera;  // odometry, any scale
 };
 
+// The lines of one frame.
+struct DetectedLines {
+  std::vector<Segment> segments;  // undistorted pixels, longest first
+  double milliseconds = 0;        // that finding them took
+};
+
 class FramePipeline {
  public:
   // `up_odom`: the up direction in the odometry's frame, where the sequence gives one.
@@ -34,6 +40,11 @@ class FramePipeline {
   // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the
   // categories.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
+
+  // The same in two steps, so that lines of the next frame can be found while this one goes on. The first
+  // touches nothing of the pipeline but its detector: it may run in a thread of its own, beside the second.
+  DetectedLines DetectLines(const cv::Mat& gray, const std::vector<Detection>& detections);
+  FrameResult Process(DetectedLines lines, const FrameInput& input);
 
   // Of the odometry, as the objects seen so far tell.
   ScaleEstimate OdometryScale() const { return tracks_.Scale(); }
