@@ -44,8 +44,11 @@ struct HarnessOptions {
   size_t repetitions = 1;  // of all inputs, from the start
 };
 
+// Throws InputError when there are not more inputs than warm-up.
+void CheckLongerThanWarmUp(size_t inputs, const HarnessOptions& options);
+
 // Rows in the order in which they were measured, without the warm-up. On each input the turn begins with
-// another contender. Throws InputError when there are not more inputs than warm-up.
+// another contender. Throws as CheckLongerThanWarmUp.
 std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inputs,
                            const HarnessOptions& options);
 

@@ -70,7 +70,9 @@ Table GuardTable(const GuardResult& result) {
       "spread: half of p10..p90 over the median, of single values.",
       "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 % and what the "
       "medians of both and of the calibration loops may be off by chance; too few: less than 5 values on a "
-      "side."};
+      "side.",
+      "Not compared: tables that were not measured now, and what is no work of this machine: the network of "
+      "keypoints:published and keypoints:wait, and their totals."};
   if (result.calibration_spread() > kBusy) {
     table.notes.push_back(fmt::format(
         "A busy machine: the calibration loop's times spread by {:.0f} %; measure again when it has nothing "

@@ -19,6 +19,9 @@ std::string PlotColour(size_t index);
 // Size, fonts, white background, legend above and text that is taken literally: before every script.
 std::string SvgHeader();
 
+// Throws InputError when gnuplot is not there: to know before long work whose pictures would be missing.
+void CheckGnuplot();
+
 // Runs the script; its picture becomes the file. Throws InputError when there is no gnuplot, it fails, or the
 // file cannot be written.
 void RunGnuplot(const std::string& script, const std::filesystem::path& svg);
