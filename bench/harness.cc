@@ -10,6 +10,7 @@ namespace armature {
 namespace {
 
 BenchRow Run(const Contender& contender, size_t repetition, size_t input) {
+  if (contender.before) contender.before();
   BenchRow row{.contender = contender.name, .repetition = repetition, .input = input, .outcome = {}};
   {
     const StageClock clock(row.wall_ms);

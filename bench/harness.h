@@ -32,6 +32,8 @@ struct Contender {
   double calls = 1;                               // that one `run` makes: rows are milliseconds a call
   // Whether it takes part in an input at all, warm-up included; `every` counts those. Empty: in each of them.
   std::function<bool(size_t input)> wants{};
+  // Before each of its runs, not timed; may be empty.
+  std::function<void()> before{};
   // Looks at a row that counts, not timed, and may take from it what need not be kept; may be empty.
   std::function<void(BenchRow& row)> after{};
 };
