@@ -41,7 +41,7 @@ class BenchAgainst : public ::testing::Test {
 };
 
 TEST_F(BenchAgainst, MeasuresTheSameAgainWithTheReferenceAlone) {
-  const auto result = RunProgram({"bench", "--against", Writtenreference_, "--out", folder_ / "again"});
+  const auto result = RunProgram({"bench", "--against", Written(reference_), "--out", folder_ / "again"});
   EXPECT_TRUE(result.status == 0 || result.status == 1) << result.err;
   EXPECT_NE(result.out.find("Against the reference: "), std::string::npos) << result.out;
   const Json again = Json::parse(ReadFile(folder_ / "again/bench.json"));

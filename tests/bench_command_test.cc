@@ -128,7 +128,8 @@ TEST(BenchCommand, BadInput) {
   ExpectBadInput({"bench", sequence, "--engines", "lines:fats"}, {"lines:fats", "lines:fast"});
   ExpectBadInput({"bench", sequence, "--threads", "0"}, {"--threads 0", "1 or more"});
   ExpectBadInput({"bench", sequence, "--warm-up", "-1"}, {"--warm-up -1"});
-  ExpectBadInput({"bench", sequence, sequence, "--warm-up", "1"}, {"second sequence", "tiny"});
+  ExpectBadInput({"bench", sequence, sequence, "--warm-up", "1", "--objects", "2"},
+                 {"second sequence", "tiny"});
   ExpectBadInput({"bench", sequence}, {"2 frames", "warm-up of 5"});
   ExpectBadInput({"bench", sequence, "--frames", "1"}, {"1 frames", "object"});
   ExpectBadInput({"bench", "--tables", "micro,memory"}, {"SEQUENCE", "--tables micro"});
@@ -136,7 +137,8 @@ TEST(BenchCommand, BadInput) {
   ExpectBadInput({"bench", sequence, "--warm-up", "1"}, {"exactly 3 objects", "there are: 2", "--objects"});
   ExpectBadInput({"bench", sequence, "--format", "excel"}, {"excel"});
   folder.Write("kept/notes.txt", "mine");
-  ExpectBadInput({"bench", sequence, "--out", folder / "kept"}, {"kept", "not a finished benchmark"});
+  ExpectBadInput({"bench", "--tables", "micro", "--out", folder / "kept"},
+                 {"kept", "not a finished benchmark"});
 }
 
 }  // namespace
