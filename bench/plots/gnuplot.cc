@@ -85,9 +85,11 @@ std::string GnuplotNumber(double value) { return std::isfinite(value) ? fmt::for
 
 std::string PlotColour(size_t index) { return kColours[index % kColours.size()]; }
 
-std::string SvgHeader() {
+std::string SvgHeader(int height) {
   return "set encoding utf8\n"
-         "set terminal svg size 900,560 fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
+         "set terminal svg size 900," +
+         std::to_string(height) +
+         " fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
          "set border 3 lc rgb '#404040'\n"
          "set tics nomirror out\n"
          "set key tmargin center horizontal Left reverse samplen 2\n"
