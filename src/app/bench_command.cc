@@ -40,6 +40,66 @@ bool Guard(const BenchRecord& reference, const std::set<TableOfSequence>& measur
   return BecameSlower(guard);
 }
 
+// What is measured.
+void AddSubjects(CLI::App& bench, BenchArguments& a) {
+  bench.add_option("SEQUENCE", a.sequences, "sequence folders; --tables micro needs none")->type_name("DIR");
+  bench
+      .add_option("--tables", a.tables,
+                  fmt::format("which tables: {} (default: all)", fmt::join(BenchTableNames(), ", ")))
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  bench
+      .add_option(
+          "--engines", a.engines,
+          "what is compared: lines, lines:PRESET, keypoints:published|wait|hourglass; ratios refer to "
+          "the first")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  bench
+      .add_option("--micro", a.micro, "which micro-benchmarks or families of them, as hypothesis:chair (all)")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+// On how much, and how.
+void AddMeasuring(CLI::App& bench, BenchArguments& a) {
+  bench.add_option("--frames", a.frames, "only the first N images (0: all)")->type_name("N");
+  bench.add_option("--warm-up", a.warm_up, "first frames that do not count")
+      ->type_name("N")
+      ->capture_default_str();
+  bench.add_option("--repeat", a.repeat, "times that all frames are processed")
+      ->type_name("N")
+      ->capture_default_str();
+  bench.add_option("--threads", a.threads, "of line detectors and the network")
+      ->type_name("N")
+      ->capture_default_str();
+  bench.add_option("--objects", a.objects, "the comparison is of frames with so many")
+      ->type_name("N")
+      ->capture_default_str();
+  bench.add_option("--baseline-frames", a.baseline_frames, "about so many frames are given to a baseline")
+      ->type_name("N")
+      ->capture_default_str();
+  bench.add_option("--cad", a.cad, "folder of annotated CAD models, to measure recall without edges_gt.csv")
+      ->type_name("DIR");
+}
+
+// What becomes of it.
+void AddResults(CLI::App& bench, BenchArguments& a) {
+  bench
+      .add_option("--against", a.against,
+                  "compare with this bench.json: status 1 when a stage became slower; what it was measured "
+                  "with is taken from it where it is not given here")
+      ->type_name("FILE");
+  bench.add_option("--out", a.out, "also write bench.json, raw.csv, the tables and plots to this folder")
+      ->type_name("DIR");
+  bench.add_flag("--no-plots", a.no_plots, "no plots in this folder; they need gnuplot");
+  bench.add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
+  bench.add_flag("--json", a.json, "the same as --format json");
+}
+
 }  // namespace
 
 int RunBench(BenchArguments a) {
@@ -67,52 +127,9 @@ void AddBenchCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<BenchArguments>();
   BenchArguments& a = *arguments;
   CLI::App* bench = app.add_subcommand("bench", "Measure how long the parts take, next to what they find");
-  bench->add_option("SEQUENCE", a.sequences, "sequence folders; --tables micro needs none")->type_name("DIR");
-  bench
-      ->add_option("--tables", a.tables,
-                   fmt::format("which tables: {} (default: all)", fmt::join(BenchTableNames(), ", ")))
-      ->type_name("NAME")
-      ->delimiter(',');
-  bench
-      ->add_option(
-          "--engines", a.engines,
-          "what is compared: lines, lines:PRESET, keypoints:published|wait|hourglass; ratios refer to "
-          "the first")
-      ->type_name("NAME")
-      ->delimiter(',');
-  bench
-      ->add_option("--micro", a.micro,
-                   "which micro-benchmarks or families of them, as hypothesis:chair (all)")
-      ->type_name("NAME")
-      ->delimiter(',');
-  bench->add_option("--frames", a.frames, "only the first N images (0: all)")->type_name("N");
-  bench->add_option("--warm-up", a.warm_up, "first frames that do not count")
-      ->type_name("N")
-      ->capture_default_str();
-  bench->add_option("--repeat", a.repeat, "times that all frames are processed")
-      ->type_name("N")
-      ->capture_default_str();
-  bench->add_option("--threads", a.threads, "of line detectors and the network")
-      ->type_name("N")
-      ->capture_default_str();
-  bench->add_option("--objects", a.objects, "the comparison is of frames with so many")
-      ->type_name("N")
-      ->capture_default_str();
-  bench->add_option("--baseline-frames", a.baseline_frames, "about so many frames are given to a baseline")
-      ->type_name("N")
-      ->capture_default_str();
-  bench->add_option("--cad", a.cad, "folder of annotated CAD models, to measure recall without edges_gt.csv")
-      ->type_name("DIR");
-  bench
-      ->add_option("--against", a.against,
-                   "compare with this bench.json: status 1 when a stage became slower; what it was measured "
-                   "with is taken from it where it is not given here")
-      ->type_name("FILE");
-  bench->add_option("--out", a.out, "also write bench.json, raw.csv, the tables and plots to this folder")
-      ->type_name("DIR");
-  bench->add_flag("--no-plots", a.no_plots, "no plots in this folder; they need gnuplot");
-  bench->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
-  bench->add_flag("--json", a.json, "the same as --format json");
+  AddSubjects(*bench, a);
+  AddMeasuring(*bench, a);
+  AddResults(*bench, a);
   AddConfigurationArguments(*bench, a.configuration);
   bench->callback([arguments, bench, &exit_status] {
     for (const KeptArgument& kept : KeptArguments(*arguments)) {
