@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bench/guard/guarded_spans.h"
 #include "io/number_format.h"
 
 namespace armature {
@@ -25,20 +26,6 @@ Json EnvironmentJson(const BenchEnvironment& environment) {
           {"versions", {{"opencv", build.opencv}, {"eigen", build.eigen}, {"ceres", build.ceres}}}};
 }
 
-Json StatisticsJson(const SpanStatistics& s) {
-  return {{"n", s.n},     {"mean", s.mean}, {"std", s.deviation}, {"median", s.median},
-          {"p10", s.p10}, {"p90", s.p90},   {"p99", s.p99},       {"max", s.max}};
-}
-
-Json SpanJson(const NamedSpan& span) {
-  Json json{{"table", span.table},
-            {"sequence", span.sequence},
-            {"contender", span.contender},
-            {"stage", span.stage}};
-  json.update(StatisticsJson(span.milliseconds));
-  return json;
-}
-
 Json SeriesJson(const BenchSection& section, const BenchSeries& series) {
   Json json{{"table", section.name},     {"sequence", section.sequence}, {"contender", series.contender},
             {"x_label", series.x_label}, {"y_label", series.y_label},    {"fit", nullptr},
@@ -57,7 +44,6 @@ void AddSection(const BenchSection& section, Json& json) {
                               {"frames_counted", section.frames},
                               {"frames_discarded", section.warmed_up},
                               {"runs_counted", section.rows.size()}});
-  for (const NamedSpan& span : section.spans) json["spans"].push_back(SpanJson(span));
   for (const BenchSeries& series : section.series) json["series"].push_back(SeriesJson(section, series));
   for (const Table& table : section.tables)
     json["tables"].push_back(Json::parse(FormatTable(table, TableFormat::kJson)));
@@ -77,12 +63,11 @@ std::string RawRow(const BenchSection& section, const BenchRow& row) {
 
 }  // namespace
 
-std::string BenchJson(const BenchEnvironment& environment, const SettingTexts& settings,
-                      const BenchReport& report) {
+std::string BenchJson(const BenchEnvironment& environment, const Json& settings, const BenchReport& report) {
   Json json{{"program", "armature bench"}, {"environment", EnvironmentJson(environment)}};
-  json["settings"] = Json::object();
-  for (const auto& [name, text] : settings) json["settings"][name] = text;
-  for (const char* list : {"sections", "spans", "series", "tables"}) json[list] = Json::array();
+  json["settings"] = settings;
+  AddBenchRecord(RecordOf(environment, report), json);
+  for (const char* list : {"sections", "series", "tables"}) json[list] = Json::array();
   for (const BenchSection& section : report.sections) AddSection(section, json);
   json["complete"] = true;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -2,7 +2,7 @@
 // bench.json and raw.csv: all that a call of `armature bench` has measured, for programs.
 #pragma once
 
-#include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "bench/bench_report.h"
@@ -10,12 +10,10 @@
 
 namespace armature {
 
-// Every option of the call as text, by name.
-using SettingTexts = std::vector<std::pair<std::string, std::string>>;
-
-// {"program", "environment", "settings", "sections": what was counted and discarded, "spans": rows of
-// NamedSpan, "series", "tables", "complete": true}; ends with a line break.
-std::string BenchJson(const BenchEnvironment& environment, const SettingTexts& settings,
+// {"program", "environment", "settings", "schema", "calibration_ms" and "spans": see span_json.h, "sections":
+// what was counted and discarded, "series", "tables", "complete": true}; ends with a line break. `settings`:
+// an object with every argument and option of the call.
+std::string BenchJson(const BenchEnvironment& environment, const nlohmann::ordered_json& settings,
                       const BenchReport& report);
 
 // A row a timed run: table,sequence,contender,repetition,frame,objects,segments,a column a stage,added,total.

@@ -25,16 +25,17 @@ struct BenchSeries {
   std::optional<LineFit> fit{};
 };
 
-// One kind of measurement on one sequence.
+// One kind of measurement on one sequence, or on none.
 struct BenchSection {
-  std::string name;      // "comparison", "objects", "detectors", "scaling"
-  std::string sequence;  // its name
+  std::string name;      // see bench/sections/bench_tables.h, or "against"
+  std::string sequence;  // its name; empty: fixed inputs
   size_t frames = 0;     // counted, of one contender in one repetition
   size_t warmed_up = 0;  // frames that were processed before, but not counted
   std::vector<Table> tables{};
   std::vector<NamedSpan> spans{};
   std::vector<BenchSeries> series{};
-  std::vector<BenchRow> rows{};  // without estimates
+  std::vector<BenchRow> rows{};          // without estimates
+  std::vector<double> calibration_ms{};  // passes of the calibration loop, which took turns with the rows
 };
 
 struct BenchReport {

@@ -21,6 +21,10 @@ BenchFrame LoadFrame(const Sequence& sequence, size_t index) {
   return frame;
 }
 
+size_t CountOf(const Sequence& sequence, size_t limit) {
+  return limit > 0 ? std::min(limit, sequence.images.size()) : sequence.images.size();
+}
+
 // The same without frames.
 BenchSequence Emptied(const BenchSequence& sequence) {
   return {sequence.name, sequence.camera, sequence.up_odom, sequence.odometry_metric, {}};
@@ -31,19 +35,21 @@ double ScaledCentre(double pixel, double scale) { return (pixel + 0.5) * scale -
 
 }  // namespace
 
-BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit) {
-  const size_t count = limit > 0 ? std::min(limit, sequence.images.size()) : sequence.images.size();
-  BenchSequence loaded{sequence.name, sequence.camera, sequence.up, sequence.odometry_metric, {}};
-  bool any = false;
-  for (size_t i = 0; i < count; ++i) {
-    loaded.frames.push_back(LoadFrame(sequence, i));
-    any = any || !loaded.frames.back().input.detections.empty();
-  }
-  if (any) return loaded;
+void CheckHasObjects(const Sequence& sequence, size_t limit) {
+  const size_t count = CountOf(sequence, limit);
+  const auto first = sequence.detections.begin(), end = first + static_cast<long>(count);
+  if (std::any_of(first, end, [](const auto& detections) { return !detections.empty(); })) return;
   throw InputError(
       fmt::format("{}: none of its {} frames has an object to be timed; give a sequence with detections, or "
                   "more --frames",
                   sequence.folder.string(), count));
+}
+
+BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit) {
+  CheckHasObjects(sequence, limit);
+  BenchSequence loaded{sequence.name, sequence.camera, sequence.up, sequence.odometry_metric, {}};
+  for (size_t i = 0; i < CountOf(sequence, limit); ++i) loaded.frames.push_back(LoadFrame(sequence, i));
+  return loaded;
 }
 
 BenchSequence FirstFrames(const BenchSequence& sequence, size_t count) {

@@ -10,8 +10,11 @@
 
 namespace armature {
 
-// The first `limit` images (0: all) as gray pictures. Throws InputError for an image that cannot be read, and
-// when none of the frames has an object.
+// Throws InputError when none of the first `limit` frames (0: all) has an object.
+void CheckHasObjects(const Sequence& sequence, size_t limit);
+
+// The first `limit` images (0: all) as gray pictures. Throws as CheckHasObjects, and InputError for an image
+// that cannot be read.
 BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit);
 
 // At most the first `count` frames; the pixels are shared.

@@ -2,7 +2,7 @@
 // Engines by name: `family` or `family:variant`.
 //   lines, lines:default   our pipeline with the options that the command was given
 //   lines:PRESET           our pipeline with the options of that preset alone
-//   keypoints:MODE         the keypoint-network baseline, see bench/keypoints_engine.h
+//   keypoints:MODE         the keypoint-network baseline, see bench/keypoints/keypoints_engine.h
 #pragma once
 
 #include <map>

@@ -10,6 +10,7 @@ namespace armature {
 namespace {
 
 BenchRow Run(const Contender& contender, size_t repetition, size_t input) {
+  if (contender.before) contender.before();
   BenchRow row{.contender = contender.name, .repetition = repetition, .input = input, .outcome = {}};
   {
     const StageClock clock(row.wall_ms);
@@ -58,14 +59,17 @@ Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequen
           .run = [&engine, &sequence](size_t input) { return engine.Process(sequence.frames[input]); }};
 }
 
+void CheckLongerThanWarmUp(size_t inputs, const HarnessOptions& options) {
+  if (inputs > options.warm_up) return;
+  throw InputError(
+      fmt::format("{} frames are no more than the warm-up of {}: nothing is left to measure; "
+                  "take more frames or a shorter --warm-up",
+                  inputs, options.warm_up));
+}
+
 std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inputs,
                            const HarnessOptions& options) {
-  if (inputs <= options.warm_up) {
-    throw InputError(
-        fmt::format("{} frames are no more than the warm-up of {}: nothing is left to measure; "
-                    "take more frames or a shorter --warm-up",
-                    inputs, options.warm_up));
-  }
+  CheckLongerThanWarmUp(inputs, options);
   std::vector<BenchRow> rows;
   for (size_t repetition = 0; repetition < options.repetitions; ++repetition) {
     RaceOnce(contenders, inputs, options.warm_up, repetition, rows);

@@ -32,6 +32,8 @@ struct Contender {
   double calls = 1;                               // that one `run` makes: rows are milliseconds a call
   // Whether it takes part in an input at all, warm-up included; `every` counts those. Empty: in each of them.
   std::function<bool(size_t input)> wants{};
+  // Before each of its runs, not timed; may be empty.
+  std::function<void()> before{};
   // Looks at a row that counts, not timed, and may take from it what need not be kept; may be empty.
   std::function<void(BenchRow& row)> after{};
 };
@@ -44,8 +46,11 @@ struct HarnessOptions {
   size_t repetitions = 1;  // of all inputs, from the start
 };
 
+// Throws InputError when there are not more inputs than warm-up.
+void CheckLongerThanWarmUp(size_t inputs, const HarnessOptions& options);
+
 // Rows in the order in which they were measured, without the warm-up. On each input the turn begins with
-// another contender. Throws InputError when there are not more inputs than warm-up.
+// another contender. Throws as CheckLongerThanWarmUp.
 std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inputs,
                            const HarnessOptions& options);
 

@@ -17,7 +17,7 @@ namespace armature {
 
 struct BenchRecord {
   std::string cpu;             // see MachineInfo
-  SpanStatistics calibration;  // of bench/calibration.h, in the same process
+  SpanStatistics calibration;  // of bench/guard/calibration.h, in the same process
   std::vector<NamedSpan> spans;
 };
 

@@ -8,7 +8,8 @@ namespace armature {
 std::string ClockNote(const BenchSettings& settings) {
   return fmt::format(
       "ms: milliseconds of a steady wall clock, {} thread{}; images are loaded and gray before; contenders "
-      "take turns on each frame; the first {} frames of each of {} repetition{} are warm-up and do not "
+      "and a calibration loop take turns on each frame; the first {} frames of each of {} repetition{} are "
+      "warm-up and do not "
       "count.",
       settings.threads, settings.threads == 1 ? "" : "s", settings.harness.warm_up,
       settings.harness.repetitions, settings.harness.repetitions == 1 ? "" : "s");

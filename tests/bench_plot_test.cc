@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "bench/plots/gnuplot.h"
 #include "bench/plots/plot.h"
 #include "bench/plots/stacked_bars.h"
 #include "support/expect_input_error.h"
+#include "support/path_override.h"
 #include "support/temp_folder.h"
 
 namespace armature {
 namespace {
 
+using testing::PathOverride;
 using testing::ReadFile;
 
 Plot SamplePlot() {
@@ -33,20 +33,6 @@ StackedBars SampleBars() {
   bars.bars = {{"lines", {5, 3.3}}, {"keypoints", {855, 0}}};
   return bars;
 }
-
-// The program is looked for elsewhere while it lives.
-class PathOverride {
- public:
-  explicit PathOverride(const std::string& path) : before_(std::getenv("PATH")) {
-    setenv("PATH", path.c_str(), 1);
-  }
-  ~PathOverride() { setenv("PATH", before_.c_str(), 1); }
-  PathOverride(const PathOverride&) = delete;
-  PathOverride& operator=(const PathOverride&) = delete;
-
- private:
-  std::string before_;
-};
 
 TEST(Plot, WritesWhatItIsToldLiterally) {
   const testing::TempFolder folder;
@@ -89,6 +75,7 @@ TEST(Plot, AsksForGnuplotWhereThereIsNone) {
   const PathOverride nowhere(folder.path());
   testing::ExpectInputError([&] { WriteSvg(SamplePlot(), folder / "plot.svg"); },
                             {"gnuplot", "apt-get install gnuplot-nox"});
+  testing::ExpectInputError([] { CheckGnuplot(); }, {"gnuplot", "--no-plots"});
   EXPECT_FALSE(std::filesystem::exists(folder / "plot.svg"));
 }
 

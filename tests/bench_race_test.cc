@@ -2,6 +2,7 @@
 // Who takes part in which input, and what of it counts.
 #include <gtest/gtest.h>
 
+#include "bench/sections/calibrated_race.h"
 #include "bench/sections/sparse_inputs.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"
@@ -53,6 +54,29 @@ TEST(Race, AContenderLooksAtRowsThatCountAndMayEmptyThem) {
   const auto rows = Race({contender}, 3, {.warm_up = 1});
   EXPECT_EQ(estimates, 5u);
   EXPECT_TRUE(rows.back().outcome.estimates.empty());
+}
+
+TEST(Race, AContenderGetsReadyWithoutTheClock) {
+  std::string order;
+  Contender contender{.name = "a", .start = {}, .run = [&](size_t) {
+                        order += "r";
+                        return FrameOutcome{};
+                      }};
+  contender.before = [&] { order += "b"; };
+  Race({contender}, 2, {.warm_up = 1});
+  EXPECT_EQ(order, "brbr");
+}
+
+TEST(Race, TheCalibrationTakesItsTurnsApart) {
+  const BenchSequence sequence = BoxSequence({1, 2, 3});
+  CountingEngine engine(false);
+  BenchSection section{.name = "comparison", .sequence = "boxes"};
+  RaceCalibrated({ContenderOf("a", engine, sequence)}, 3, {.warm_up = 1, .repetitions = 2}, section);
+  EXPECT_EQ(InputsOf(section.rows, "a"), (std::vector<size_t>{1, 2, 1, 2}));
+  EXPECT_EQ(section.rows.size(), 4u);
+  EXPECT_EQ(section.calibration_ms.size(), 4u);
+  EXPECT_EQ(section.frames, 2u);
+  EXPECT_EQ(section.warmed_up, 1u);
 }
 
 TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {

@@ -26,7 +26,8 @@ class CalibrationLoop {
   std::vector<float> memory_;
 };
 
-// Takes part in a race beside what it calibrates.
+// Takes part in a race beside what it calibrates. Each timed pass follows one that is not timed: what the
+// others leave in the caches would make a quarter of its time.
 Contender CalibrationContender();
 
 }  // namespace armature

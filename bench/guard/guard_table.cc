@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <set>
+
 #include "bench/guard/regression_guard.h"
 
 namespace armature {
@@ -47,6 +49,13 @@ std::vector<Cell> ComparisonRow(const SpanComparison& span) {
           TextCell(VerdictName(span.verdict))};
 }
 
+// Of those verdicts, in the order of the comparison.
+void AddRows(const GuardResult& result, const std::set<Verdict>& verdicts, Table& table) {
+  for (const SpanComparison& span : result.spans) {
+    if (verdicts.contains(span.verdict)) table.rows.push_back(ComparisonRow(span));
+  }
+}
+
 std::string Sums(const GuardResult& result) {
   std::string sums;
   for (const Verdict verdict : {Verdict::kSlower, Verdict::kFaster, Verdict::kSame, Verdict::kTooFew,
@@ -63,14 +72,19 @@ Table GuardTable(const GuardResult& result) {
   table.title = "Against the reference: " + Sums(result);
   table.columns = {"span",           "reference [ms]", "now [ms]", "ratio", "spread then [%]",
                    "spread now [%]", "tolerance [%]",  "verdict"};
-  for (const SpanComparison& span : result.spans) table.rows.push_back(ComparisonRow(span));
+  AddRows(result, {Verdict::kSlower}, table);
+  AddRows(result, {Verdict::kFaster}, table);
+  AddRows(result, {Verdict::kSame, Verdict::kTooFew, Verdict::kMissing, Verdict::kNew}, table);
   table.notes = {
+      "Spans that moved come first: slower ones, then faster ones.",
       fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
                   result.calibration_ratio()),
       "spread: half of p10..p90 over the median, of single values.",
       "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 % and what the "
       "medians of both and of the calibration loops may be off by chance; too few: less than 5 values on a "
-      "side."};
+      "side.",
+      "Not compared: tables that were not measured now, and what is no work of this machine: the network of "
+      "keypoints:published and keypoints:wait, and their totals."};
   if (result.calibration_spread() > kBusy) {
     table.notes.push_back(fmt::format(
         "A busy machine: the calibration loop's times spread by {:.0f} %; measure again when it has nothing "

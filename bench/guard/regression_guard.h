@@ -59,7 +59,7 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
 // Whether the command has to fail. Spans that are missing or new do not matter to it.
 bool BecameSlower(const GuardResult& result);
 
-// One row a span, the sums and what the machine did below.
+// One row a span, those that moved first; the sums and what the machine did below.
 Table GuardTable(const GuardResult& result);
 
 }  // namespace armature

@@ -27,9 +27,9 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-File ScriptFile(const std::string& script) {
+File TemporaryFile(const std::string& content) {
   File file(std::tmpfile());
-  if (!file || std::fputs(script.c_str(), file.get()) < 0 || std::fflush(file.get()) != 0)
+  if (!file || std::fputs(content.c_str(), file.get()) < 0 || std::fflush(file.get()) != 0)
     throw InputError(
         fmt::format("cannot write a temporary file: {}; make room in /tmp", std::strerror(errno)));
   std::rewind(file.get());
@@ -58,6 +58,18 @@ bool Succeeded(pid_t child) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
+// What is wrong; empty: nothing.
+std::string Draw(std::FILE* script, std::FILE* svg) {
+  pid_t child = 0;
+  if (const int failure = Spawn(script, svg, child); failure != 0) {
+    return fmt::format(
+        "cannot start gnuplot, which draws the plots: {}; install it (apt-get install gnuplot-nox)",
+        std::strerror(failure));
+  }
+  if (Succeeded(child)) return "";
+  return "gnuplot failed, its reason is above; 5.4 or later is needed (apt-get install gnuplot-nox)";
+}
+
 }  // namespace
 
 std::string GnuplotText(const std::string& text) {
@@ -73,34 +85,35 @@ std::string GnuplotNumber(double value) { return std::isfinite(value) ? fmt::for
 
 std::string PlotColour(size_t index) { return kColours[index % kColours.size()]; }
 
-std::string SvgHeader() {
+std::string SvgHeader(int height) {
   return "set encoding utf8\n"
-         "set terminal svg size 900,560 fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
+         "set terminal svg size 900," +
+         std::to_string(height) +
+         " fixed noenhanced font 'sans-serif,15' background '#ffffff'\n"
          "set border 3 lc rgb '#404040'\n"
          "set tics nomirror out\n"
          "set key tmargin center horizontal Left reverse samplen 2\n"
          "set grid lt 1 lw 1 lc rgb '#dddddd'\n";
 }
 
+void CheckGnuplot() {
+  const File script = TemporaryFile(""), picture = TemporaryFile("");
+  const std::string failure = Draw(script.get(), picture.get());
+  if (!failure.empty()) throw InputError(failure + ", or leave them out with --no-plots");
+}
+
 void RunGnuplot(const std::string& script, const std::filesystem::path& svg) {
-  const File input = ScriptFile(script);
+  const File input = TemporaryFile(script);
   const File output(std::fopen(svg.c_str(), "wb"));
   if (!output) {
     throw InputError(fmt::format("{}: cannot write the picture: {}; choose a folder that can be written",
                                  svg.string(), std::strerror(errno)));
   }
-  pid_t child = 0;
-  const int failure = Spawn(input.get(), output.get(), child);
-  if (failure == 0 && Succeeded(child)) return;
+  const std::string failure = Draw(input.get(), output.get());
+  if (failure.empty()) return;
   std::error_code ignored;
   std::filesystem::remove(svg, ignored);
-  throw InputError(failure != 0
-                       ? fmt::format("cannot start gnuplot, which draws the plots: {}; install it "
-                                     "(apt-get install gnuplot-nox)",
-                                     std::strerror(failure))
-                       : fmt::format("{}: gnuplot failed, its reason is above; 5.4 or later is needed "
-                                     "(apt-get install gnuplot-nox)",
-                                     svg.string()));
+  throw InputError(svg.string() + ": " + failure);
 }
 
 }  // namespace armature

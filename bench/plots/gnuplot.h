@@ -16,8 +16,12 @@ std::string GnuplotNumber(double value);
 // Colours that the colour-blind can tell apart (Okabe and Ito 2008), "#rrggbb"; begins again after the last.
 std::string PlotColour(size_t index);
 
-// Size, fonts, white background, legend above and text that is taken literally: before every script.
-std::string SvgHeader();
+// Size (900 wide), fonts, white background, legend above and text that is taken literally: before every
+// script.
+std::string SvgHeader(int height = 560);
+
+// Throws InputError when gnuplot is not there: to know before long work whose pictures would be missing.
+void CheckGnuplot();
 
 // Runs the script; its picture becomes the file. Throws InputError when there is no gnuplot, it fails, or the
 // file cannot be written.

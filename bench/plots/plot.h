@@ -18,9 +18,9 @@ struct PlotSeries {
 
   std::string name;  // in the legend; empty: not there
   Style style = Style::kLine;
-  std::vector<double> x, y;       // as many; what is not finite is left out
-  std::vector<double> low, high;  // ends of error bars, as many as y, or none
-  std::optional<size_t> colour;   // see PlotColour; none: the position among the series
+  std::vector<double> x{}, y{};       // as many; what is not finite is left out
+  std::vector<double> low{}, high{};  // ends of error bars, as many as y, or none
+  std::optional<size_t> colour{};     // see PlotColour; none: the position among the series
 };
 
 struct Plot {

@@ -20,10 +20,10 @@ struct StackedBars {
   std::vector<Bar> bars;  // from the top
 };
 
-// An SVG file, 900x560 on white; the totals stand beside the bars. The axis is linear, for lengths on a
-// logarithmic one could not be added. Where some bars are less than a tenth of the longest, a second panel
-// below shows them enlarged, the long ones cut. Throws InputError as RunGnuplot, std::logic_error when a bar
-// has another number of parts than there are stages, or every bar is empty.
+// An SVG file on white, 900x560 or higher for many bars; the totals stand beside the bars. The axis is
+// linear, for lengths on a logarithmic one could not be added. Where some bars are less than a tenth of the
+// longest, a second panel below shows them enlarged, the long ones cut. Throws InputError as RunGnuplot,
+// std::logic_error when a bar has another number of parts than there are stages, or every bar is empty.
 void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg);
 
 }  // namespace armature

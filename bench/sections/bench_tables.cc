@@ -13,7 +13,8 @@
 namespace armature {
 
 const std::vector<std::string>& BenchTableNames() {
-  static const std::vector<std::string> names{"comparison", "objects", "detectors", "scaling"};
+  static const std::vector<std::string> names{"comparison", "objects",    "detectors",
+                                              "scaling",    kMemoryTable, kMicroTable};
   return names;
 }
 

@@ -10,13 +10,18 @@
 
 namespace armature {
 
-// "comparison", "objects", "detectors", "scaling"
+// "comparison", "objects", "detectors", "scaling", "memory", "micro"
 const std::vector<std::string>& BenchTableNames();
+
+// Measured in processes of their own, before sequences are loaded: see memory_section.h.
+inline const std::string kMemoryTable = "memory";
+// Of fixed inputs, without a sequence: see micro_section.h.
+inline const std::string kMicroTable = "micro";
 
 // Throws InputError for an unknown name.
 void CheckBenchTableName(const std::string& name);
 
-// Measures what the tables of that name are made of. The name has to be known.
+// Measures what the tables of that name are made of: one of the others.
 BenchSection MeasureSection(const std::string& name, const BenchTask& task);
 
 }  // namespace armature

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bench/bench_sequence.h"
+#include "bench/sections/calibrated_race.h"
 #include "bench/sections/paper_figures.h"
 #include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
@@ -16,21 +17,7 @@
 namespace armature {
 namespace {
 
-void CheckHasFrames(const BenchTask& task) {
-  const auto& frames = task.sequence.frames;
-  std::set<size_t> counts;
-  for (size_t i = task.settings.harness.warm_up; i < frames.size(); ++i)
-    counts.insert(frames[i].input.detections.size());
-  counts.erase(0);
-  if (counts.contains(task.settings.objects) || frames.size() <= task.settings.harness.warm_up) return;
-  throw InputError(
-      fmt::format("{}: no frame after the warm-up of {} has exactly {} objects (there are: {}); choose with "
-                  "--objects",
-                  task.sequence.name, task.settings.harness.warm_up, task.settings.objects,
-                  counts.empty() ? "none with any" : fmt::format("{}", fmt::join(counts, ", "))));
-}
-
-std::vector<BenchRow> RaceEngines(const BenchTask& task) {
+void RaceEngines(const BenchTask& task, BenchSection& section) {
   const auto& [sequence, truth, parts, settings] = task;
   const auto is_used = [&](size_t input) {
     return sequence.frames[input].input.detections.size() == settings.objects;
@@ -45,7 +32,7 @@ std::vector<BenchRow> RaceEngines(const BenchTask& task) {
     contenders.back().wants = OneOf(
         SparseInputs(is_used, sequence.frames.size(), settings.harness.warm_up, settings.baseline_frames));
   }
-  return Race(contenders, sequence.frames.size(), settings.harness);
+  RaceCalibrated(contenders, sequence.frames.size(), settings.harness, section);
 }
 
 Cell PaperLinesCell(std::string_view span, double objects) {
@@ -69,7 +56,8 @@ void AddNotes(const BenchTask& task, const std::vector<BenchRow>& rows, Table& t
     counts.push_back(fmt::format("{} {}", engine, DurationsOf(rows, engine, kTotal).size()));
   table.notes.push_back(fmt::format(
       "n, frames with exactly {} objects: {}. All frames are processed by what remembers them; a baseline "
-      "takes part only in every so many of these.",
+      "takes part only in every so many of these. What follows it there may be slower, for the machine has "
+      "slept or its caches hold the network: that is in the 90th and 99th percentiles of the others.",
       task.settings.objects, fmt::join(counts, ", ")));
   table.notes.push_back(
       "paper: as printed in its section 4, on an i5 and a Titan X, for 856x480 and 3 objects; it does not "
@@ -77,6 +65,20 @@ void AddNotes(const BenchTask& task, const std::vector<BenchRow>& rows, Table& t
 }
 
 }  // namespace
+
+void CheckHasComparedFrames(const std::string& sequence, const std::vector<size_t>& objects,
+                            const BenchSettings& settings) {
+  const size_t warm_up = settings.harness.warm_up;
+  if (objects.size() <= warm_up) return;  // the race says so
+  std::set<size_t> counts(objects.begin() + static_cast<std::ptrdiff_t>(warm_up), objects.end());
+  counts.erase(0);
+  if (counts.contains(settings.objects)) return;
+  throw InputError(
+      fmt::format("{}: no frame after the warm-up of {} has exactly {} objects (there are: {}); choose with "
+                  "--objects",
+                  sequence, warm_up, settings.objects,
+                  counts.empty() ? "none with any" : fmt::format("{}", fmt::join(counts, ", "))));
+}
 
 Table StageTable(const std::vector<BenchRow>& rows, const std::vector<std::string>& engines, size_t objects) {
   Table table;
@@ -134,12 +136,9 @@ Table RatioTable(const std::vector<BenchRow>& rows, const std::vector<std::strin
 }
 
 BenchSection ComparisonSection(const BenchTask& task) {
-  CheckHasFrames(task);
   const BenchSettings& settings = task.settings;
   BenchSection section{.name = "comparison", .sequence = task.sequence.name};
-  section.rows = RaceEngines(task);
-  section.warmed_up = settings.harness.warm_up;
-  section.frames = task.sequence.frames.size() - section.warmed_up;
+  RaceEngines(task, section);
   std::vector<BenchRow> used;
   std::copy_if(section.rows.begin(), section.rows.end(), std::back_inserter(used), [&](const BenchRow& row) {
     return row.outcome.objects == static_cast<int>(settings.objects);

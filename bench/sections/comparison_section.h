@@ -7,7 +7,11 @@
 
 namespace armature {
 
-// Throws InputError when no frame after the warm-up has that many objects.
+// Throws InputError when no frame after the warm-up has the wanted number of objects. `objects`: one a frame.
+void CheckHasComparedFrames(const std::string& sequence, const std::vector<size_t>& objects,
+                            const BenchSettings& settings);
+
+// Requires such a frame.
 BenchSection ComparisonSection(const BenchTask& task);
 
 // A row a stage, a column an engine, medians; the paper's own figures beside.

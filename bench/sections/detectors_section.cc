@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bench/lines_engine.h"
+#include "bench/sections/calibrated_race.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
 
@@ -35,8 +36,8 @@ Contender ContenderOf(const DetectorChoice& choice, LinesEngine& engine, const B
   return contender;
 }
 
-std::vector<BenchRow> RaceDetectors(const BenchTask& task, const std::vector<DetectorChoice>& choices,
-                                    std::vector<Findings>& findings) {
+void RaceDetectors(const BenchTask& task, const std::vector<DetectorChoice>& choices,
+                   std::vector<Findings>& findings, BenchSection& section) {
   std::vector<std::unique_ptr<LinesEngine>> engines;
   std::vector<Contender> contenders;
   findings.resize(choices.size());
@@ -46,7 +47,7 @@ std::vector<BenchRow> RaceDetectors(const BenchTask& task, const std::vector<Det
     engines.push_back(std::make_unique<LinesEngine>(options, task.parts.models));
     contenders.push_back(ContenderOf(choices[i], *engines.back(), task, findings[i]));
   }
-  return Race(contenders, task.sequence.frames.size(), task.settings.harness);
+  RaceCalibrated(contenders, task.sequence.frames.size(), task.settings.harness, section);
 }
 
 std::optional<double> MedianSegments(const std::vector<BenchRow>& rows, const std::string& name) {
@@ -187,9 +188,7 @@ BenchSection DetectorsSection(const BenchTask& task) {
   BenchSection section{.name = "detectors", .sequence = task.sequence.name};
   const std::vector<DetectorChoice> choices = DetectorChoices(task.parts.options.lines);
   std::vector<Findings> findings;
-  section.rows = RaceDetectors(task, choices, findings);
-  section.warmed_up = task.settings.harness.warm_up;
-  section.frames = task.sequence.frames.size() - section.warmed_up;
+  RaceDetectors(task, choices, findings, section);
   std::vector<std::string> names;
   for (const DetectorChoice& choice : choices) names.push_back(choice.name);
   section.spans = SpansOf(section.name, section.sequence, section.rows, names);

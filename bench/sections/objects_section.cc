@@ -10,6 +10,7 @@
 #include <map>
 
 #include "bench/bench_sequence.h"
+#include "bench/sections/calibrated_race.h"
 #include "bench/sections/paper_figures.h"
 #include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
@@ -194,9 +195,7 @@ BenchSection ObjectsSection(const BenchTask& task) {
   const BenchSettings& settings = task.settings;
   BenchSection section{.name = "objects", .sequence = task.sequence.name};
   const Entrants entrants = MakeEntrants(task);
-  section.rows = Race(entrants.contenders, task.sequence.frames.size(), settings.harness);
-  section.warmed_up = settings.harness.warm_up;
-  section.frames = task.sequence.frames.size() - section.warmed_up;
+  RaceCalibrated(entrants.contenders, task.sequence.frames.size(), settings.harness, section);
   std::vector<std::string> names;
   for (const Contender& contender : entrants.contenders) names.push_back(contender.name);
   section.spans = SpansOf(section.name, section.sequence, section.rows, names);

@@ -8,6 +8,7 @@
 
 #include "bench/bench_sequence.h"
 #include "bench/lines_engine.h"
+#include "bench/sections/calibrated_race.h"
 #include "bench/sections/load_variants.h"
 #include "bench/sections/view_counts.h"
 #include "bench/span_notes.h"
@@ -146,9 +147,7 @@ BenchSection ScalingSection(const BenchTask& task) {
       names.push_back(contenders.back().name);
     }
   }
-  section.rows = Race(contenders, sequence.frames.size(), task.settings.harness);
-  section.warmed_up = task.settings.harness.warm_up;
-  section.frames = sequence.frames.size() - section.warmed_up;
+  RaceCalibrated(contenders, sequence.frames.size(), task.settings.harness, section);
   section.spans = SpansOf(section.name, section.sequence, section.rows, names);
   for (const Load load : kLoads) AddLoad(load, task, entrants, section);
   return section;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "app/printed_tables.h"
+#include "bench/plots/section_plots.h"
 #include "io/run_folder.h"
 
 namespace armature {
@@ -45,6 +46,12 @@ std::string BenchText(const BenchResults& results, TableFormat format) {
 
 BenchFolder::BenchFolder(const std::filesystem::path& folder)
     : OutputFolder(folder, {"a finished benchmark", IsCompleteBench}) {}
+
+void WritePlots(const BenchReport& report, size_t objects, const BenchFolder& folder) {
+  const std::filesystem::path plots = folder.partial() / "plots";
+  std::filesystem::create_directory(plots);
+  for (const BenchSection& section : report.sections) WriteSectionPlots(section, objects, plots);
+}
 
 void WriteBench(const BenchResults& results, BenchFolder& folder) {
   const std::filesystem::path& to = folder.partial();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "bench/bench_json.h"
@@ -15,7 +16,7 @@ namespace armature {
 
 struct BenchResults {
   BenchEnvironment environment;
-  SettingTexts settings;
+  nlohmann::ordered_json settings;  // see BenchJson
   BenchReport report;
 };
 
@@ -27,6 +28,9 @@ class BenchFolder : public OutputFolder {
  public:
   explicit BenchFolder(const std::filesystem::path& folder);
 };
+
+// plots/*.svg, see section_plots.h; `objects`: in the frames of the comparison.
+void WritePlots(const BenchReport& report, size_t objects, const BenchFolder& folder);
 
 // bench.json, raw.csv and tables.{txt,md,csv,tex}, then publishes the folder. Throws std::runtime_error for a
 // file that cannot be written.
