@@ -41,12 +41,12 @@ TEST(BenchCommand, ComparesEnginesAndDetectorsOnTheSmallScene) {
   EXPECT_EQ(json["spans"][0]["n"], 6);
   EXPECT_EQ(json["calibration_ms"]["n"], 2 * 6);  // in both tables
   ASSERT_EQ(json["tables"].size(), 5u);
-  EXPECT_EQ(json["tables"][3]["rows"].size(), 16u);  // detectors
+  EXPECT_EQ(json["tables"][3]["rows"].size(), 18u);  // detectors
   EXPECT_GT(json["tables"][3]["rows"][0]["recall [%]"], 30);
   EXPECT_GT(json["tables"][3]["rows"][0]["with pose [%]"], 50);
 
   const CsvTable raw(folder / "bench/raw.csv", {"contender", "frame", "detection", "total"});
-  EXPECT_EQ(raw.rows().size(), 2u * 3 * (2 + 16));
+  EXPECT_EQ(raw.rows().size(), 2u * 3 * (2 + 18));
   for (const CsvRow& row : raw.rows()) {
     EXPECT_GE(row.Integer("frame"), 1);
     const double stages = row.Number("detection") + row.Number("association") + row.Number("optimization") +

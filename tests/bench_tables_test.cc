@@ -7,6 +7,7 @@
 #include "bench/sections/comparison_section.h"
 #include "bench/sections/detectors_section.h"
 #include "bench/sections/objects_section.h"
+#include "bench/sections/pipelined_section.h"
 #include "bench/spans.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"
@@ -113,7 +114,7 @@ TEST(BenchDetectors, TheFastestIsOneThatIsAsAccurateAsLsd) {
   std::vector<DetectorChoice> choices;
   for (const DetectorChoice& choice : DetectorChoices({})) {
     const LineOptions& lines = choice.lines;
-    if (!lines.boxes_only && !lines.published) choices.push_back(choice);
+    if (!lines.boxes_only && choice.parameters == "tuned") choices.push_back(choice);
   }
   ASSERT_EQ(choices.size(), 4u);  // edgedrawing, edlines, fld, lsd
   std::vector<BenchRow> rows;
@@ -136,13 +137,28 @@ TEST(BenchDetectors, TheFastestIsOneThatIsAsAccurateAsLsd) {
 
 TEST(BenchDetectors, WithoutTruthThereAreDashes) {
   const std::vector<DetectorChoice> choices = DetectorChoices({});
-  ASSERT_EQ(choices.size(), 16u);  // four detectors, tuned and published, image and boxes
+  ASSERT_EQ(choices.size(), 18u);  // four detectors, tuned and published, one at half size; image and boxes
   const std::vector<Findings> nothing(choices.size());
   EXPECT_EQ(FastestAsAccurateAsLsd(choices, {}, nothing), -1);
   const Table table = DetectorTable(choices, {}, nothing);
   EXPECT_EQ(CellText(table, 0, "azimuth [deg]"), "");
   EXPECT_EQ(CellText(table, 0, "recall [%]"), "");
   EXPECT_EQ(CellText(table, 0, "lines [ms]"), "");
+}
+
+TEST(BenchTables, TwoThreadsAreComparedWithOneOfTheSameEngine) {
+  const Table table = PipelinedTable({{"lines:a", false, {4, 6}, 100},
+                                      {"lines:a", true, {8, 8}, 150},
+                                      {"lines:b", false, {1, 1}, 500},
+                                      {"lines:b", true, {1, 2}, 450}});
+  ASSERT_EQ(table.rows.size(), 4u);
+  EXPECT_EQ(CellText(table, 0, "latency [ms]"), "5.00");
+  EXPECT_EQ(CellText(table, 0, "times one thread"), "1.00");
+  EXPECT_EQ(CellText(table, 1, "threads"), "2");
+  EXPECT_EQ(CellText(table, 1, "latency [ms]"), "8.00");
+  EXPECT_EQ(CellText(table, 1, "times one thread"), "1.50");
+  EXPECT_EQ(CellText(table, 3, "frames/s"), "450.0");
+  EXPECT_EQ(CellText(table, 3, "times one thread"), "0.90");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "bench/sections/comparison_section.h"
 #include "bench/sections/detectors_section.h"
 #include "bench/sections/objects_section.h"
+#include "bench/sections/pipelined_section.h"
 #include "bench/sections/scaling_section.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
@@ -13,8 +14,8 @@
 namespace armature {
 
 const std::vector<std::string>& BenchTableNames() {
-  static const std::vector<std::string> names{"comparison", "objects",    "detectors",
-                                              "scaling",    kMemoryTable, kMicroTable};
+  static const std::vector<std::string> names{"comparison", "objects",    "detectors", "scaling",
+                                              "pipelined",  kMemoryTable, kMicroTable};
   return names;
 }
 
@@ -28,6 +29,7 @@ BenchSection MeasureSection(const std::string& name, const BenchTask& task) {
   if (name == "comparison") return ComparisonSection(task);
   if (name == "objects") return ObjectsSection(task);
   if (name == "detectors") return DetectorsSection(task);
+  if (name == "pipelined") return PipelinedSection(task);
   return ScalingSection(task);
 }
 

@@ -11,6 +11,7 @@ namespace armature {
 
 // A detector with its parameters, in the whole image or in the boxes only.
 struct DetectorChoice {
+  std::string parameters;  // "tuned", "half size", "published"
   LineOptions lines;
   std::string name;  // "lsd tuned whole image"
 };
