@@ -52,6 +52,17 @@ TEST(RegressionGuard, DividesByWhatTheCalibrationMoved) {
   EXPECT_DOUBLE_EQ(result.spans.at(0).ratio, 1.25);
 }
 
+TEST(RegressionGuard, DividesByTheCalibrationOfTheSameTable) {
+  const auto record = [](double all, double of_table, double span) {
+    return GuardRecord(
+        all, {GuardSpan("a", GuardTimes(span)), {"micro", "", "calibration", "pass", GuardTimes(of_table)}});
+  };
+  const GuardResult result = CompareWithReference(record(5, 5, 2), record(6, 7.5, 3));
+  ASSERT_EQ(result.spans.size(), 1U);  // the calibration itself is not guarded
+  EXPECT_DOUBLE_EQ(result.spans[0].ratio, 1);
+  EXPECT_DOUBLE_EQ(result.calibration_ratio(), 1.2);
+}
+
 TEST(RegressionGuard, IsLessSureOfFewOrScatteredValues) {
   EXPECT_EQ(VerdictBetween(GuardTimes(1, 0.2), GuardTimes(1.2, 0.2)), Verdict::kSame);
   EXPECT_EQ(VerdictBetween(GuardTimes(1, 0, 4), GuardTimes(9)), Verdict::kTooFew);

@@ -30,8 +30,10 @@ TEST(GuardedSpans, OneCalibrationIsOfAllSections) {
   const BenchRecord record = RecordOf({}, TwoSections());
   EXPECT_EQ(record.calibration.n, 3u);
   EXPECT_EQ(record.calibration.mean, 3);
-  ASSERT_EQ(record.spans.size(), 2u);  // nothing was done in mapping
-  EXPECT_EQ(record.spans[1].Key(), "micro//matching:chair/call");
+  ASSERT_EQ(record.spans.size(), 4u);  // nothing was done in mapping
+  EXPECT_EQ(record.spans[1].Key(), "comparison/a/calibration/pass");
+  EXPECT_EQ(record.spans[1].milliseconds.median, 1.5);
+  EXPECT_EQ(record.spans[2].Key(), "micro//matching:chair/call");
 }
 
 TEST(GuardedSpans, ANetworkThatOnlyTakesTimeIsNoWork) {
@@ -49,8 +51,9 @@ TEST(GuardedSpans, OnlyTablesThatAreMeasuredAreCompared) {
   BenchRecord record = RecordOf({}, TwoSections());
   record.spans.push_back(SpanNamed("comparison", "b", "lines:default", "total"));
   const BenchRecord part = GuardedPart(record, {{"comparison", "a"}, {"objects", "b"}});
-  ASSERT_EQ(part.spans.size(), 1u);
+  ASSERT_EQ(part.spans.size(), 2u);
   EXPECT_EQ(part.spans[0].Key(), "comparison/a/lines:default/detection");
+  EXPECT_EQ(part.spans[1].Key(), "comparison/a/calibration/pass");
   EXPECT_EQ(part.calibration.n, 3u);
 }
 

@@ -10,7 +10,8 @@
 
 namespace armature {
 
-inline constexpr const char* kCalibrationName = "calibration";
+inline constexpr const char* kCalibrationName = "calibration";  // a contender's
+inline constexpr const char* kCalibrationStage = "pass";
 
 // One pass, one to two milliseconds: products and factorisations of small matrices with transcendental
 // functions, as association and resection have them, then sweeps over more memory than the second cache

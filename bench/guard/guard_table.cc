@@ -65,26 +65,26 @@ std::string Sums(const GuardResult& result) {
   return sums;
 }
 
-}  // namespace
-
-Table GuardTable(const GuardResult& result) {
-  Table table;
-  table.title = "Against the reference: " + Sums(result);
-  table.columns = {"span",           "reference [ms]", "now [ms]", "ratio", "spread then [%]",
-                   "spread now [%]", "tolerance [%]",  "verdict"};
-  AddRows(result, {Verdict::kSlower}, table);
-  AddRows(result, {Verdict::kFaster}, table);
-  AddRows(result, {Verdict::kSame, Verdict::kTooFew, Verdict::kMissing, Verdict::kNew}, table);
-  table.notes = {
-      "Spans that moved come first: slower ones, then faster ones.",
-      fmt::format("ratio: median now over reference, divided by the same of the calibration loop, {:.3f}.",
-                  result.calibration_ratio()),
-      "spread: half of p10..p90 over the median, of single values.",
+std::vector<std::string> Notes(const GuardResult& result) {
+  std::vector<std::string> notes;
+  notes.emplace_back("Spans that moved come first: slower ones, then faster ones.");
+  notes.push_back(
+      fmt::format("ratio: median now over reference, divided by the same of the calibration loop in the same "
+                  "table; that of all tables is {:.3f}.",
+                  result.calibration_ratio()));
+  notes.emplace_back("spread: half of p10..p90 over the median, of single values.");
+  notes.emplace_back(
       "slower, faster: the ratio or its inverse is above 1 by more than the tolerance: 5 % and what the "
       "medians of both and of the calibration loops may be off by chance; too few: less than 5 values on a "
-      "side.",
+      "side.");
+  notes.emplace_back(
       "Not compared: tables that were not measured now, and what is no work of this machine: the network of "
-      "keypoints:published and keypoints:wait, and their totals."};
+      "keypoints:published and keypoints:wait, and their totals.");
+  return notes;
+}
+
+// What is said of times that are not to be trusted.
+void AddWarnings(const GuardResult& result, Table& table) {
   if (result.calibration_spread() > kBusy) {
     table.notes.push_back(fmt::format(
         "A busy machine: the calibration loop's times spread by {:.0f} %; measure again when it has nothing "
@@ -96,6 +96,20 @@ Table GuardTable(const GuardResult& result) {
         "Another machine: the reference is of '{}', this is '{}'; ratios say little about the program.",
         result.cpu_reference, result.cpu_now));
   }
+}
+
+}  // namespace
+
+Table GuardTable(const GuardResult& result) {
+  Table table;
+  table.title = "Against the reference: " + Sums(result);
+  table.columns = {"span",           "reference [ms]", "now [ms]", "ratio", "spread then [%]",
+                   "spread now [%]", "tolerance [%]",  "verdict"};
+  AddRows(result, {Verdict::kSlower}, table);
+  AddRows(result, {Verdict::kFaster}, table);
+  AddRows(result, {Verdict::kSame, Verdict::kTooFew, Verdict::kMissing, Verdict::kNew}, table);
+  table.notes = Notes(result);
+  AddWarnings(result, table);
   return table;
 }
 

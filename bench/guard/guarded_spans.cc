@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bench/guard/calibration.h"
 #include "bench/spans.h"
 #include "io/errors.h"
 
@@ -16,6 +17,9 @@ BenchRecord RecordOf(const BenchEnvironment& environment, const BenchReport& rep
   for (const BenchSection& section : report.sections) {
     passes.insert(passes.end(), section.calibration_ms.begin(), section.calibration_ms.end());
     record.spans.insert(record.spans.end(), section.spans.begin(), section.spans.end());
+    if (const auto calibration = StatisticsOf(section.calibration_ms))
+      record.spans.push_back(
+          {section.name, section.sequence, kCalibrationName, kCalibrationStage, *calibration});
   }
   std::erase_if(record.spans, [](const NamedSpan& span) { return !(span.milliseconds.median > 0); });
   record.calibration = StatisticsOf(std::move(passes)).value_or(SpanStatistics{});

@@ -15,7 +15,8 @@ namespace armature {
 // A table's name and a sequence's, which is empty for fixed inputs.
 using TableOfSequence = std::pair<std::string, std::string>;
 
-// The spans of all sections with one calibration, that of the process. A stage that mostly had nothing to do
+// The spans of all sections, each followed by its calibration's ("calibration", "pass"), with one calibration
+// of the whole process. A stage that mostly had nothing to do
 // (a median of 0) is left out. Without any race there is no calibration, and no span.
 BenchRecord RecordOf(const BenchEnvironment& environment, const BenchReport& report);
 

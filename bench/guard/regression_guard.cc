@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <utility>
 
+#include "bench/guard/calibration.h"
 #include "io/errors.h"
 
 namespace armature {
@@ -33,19 +34,38 @@ Verdict VerdictOf(const SpanComparison& span) {
   return span.ratio > 1 ? Verdict::kSlower : Verdict::kFaster;
 }
 
-SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference, const GuardResult& result) {
+bool IsCalibration(const NamedSpan& span) { return span.contender == kCalibrationName; }
+
+// Of a span's table.
+std::string CalibrationKey(const NamedSpan& span) {
+  return NamedSpan{span.table, span.sequence, kCalibrationName, kCalibrationStage, {}}.Key();
+}
+
+using SpansByKey = std::map<std::string, SpanStatistics>;
+
+// Reference and now: of the span's own table where both have it, for the machine drifts from one to the next.
+std::pair<SpanStatistics, SpanStatistics> CalibrationsOf(const NamedSpan& span, const SpansByKey& before,
+                                                         const SpansByKey& after, const GuardResult& result) {
+  const auto reference = before.find(CalibrationKey(span)), now = after.find(CalibrationKey(span));
+  if (reference == before.end() || now == after.end())
+    return {result.calibration_reference, result.calibration_now};
+  return {reference->second, now->second};
+}
+
+SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference,
+                       const SpanStatistics& calibration_reference, const SpanStatistics& calibration_now) {
   const SpanStatistics& now = span.milliseconds;
   SpanComparison comparison{.key = span.Key(), .reference = reference, .now = now};
-  comparison.ratio = now.median / reference.median / result.calibration_ratio();
-  comparison.tolerance =
-      comparison.ratio > 1 ? Tolerance(reference, result.calibration_reference, now, result.calibration_now)
-                           : Tolerance(now, result.calibration_now, reference, result.calibration_reference);
+  comparison.ratio = now.median / reference.median / (calibration_now.median / calibration_reference.median);
+  comparison.tolerance = comparison.ratio > 1
+                             ? Tolerance(reference, calibration_reference, now, calibration_now)
+                             : Tolerance(now, calibration_now, reference, calibration_reference);
   comparison.verdict = VerdictOf(comparison);
   return comparison;
 }
 
-std::map<std::string, SpanStatistics> ByKey(const std::vector<NamedSpan>& spans) {
-  std::map<std::string, SpanStatistics> by_key;
+SpansByKey ByKey(const std::vector<NamedSpan>& spans) {
+  SpansByKey by_key;
   for (const NamedSpan& span : spans) by_key.emplace(span.Key(), span.milliseconds);
   return by_key;
 }
@@ -67,14 +87,17 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
   result.cpu_now = now.cpu;
   result.calibration_reference = reference.calibration;
   result.calibration_now = now.calibration;
-  const std::map<std::string, SpanStatistics> before = ByKey(reference.spans), after = ByKey(now.spans);
+  const SpansByKey before = ByKey(reference.spans), after = ByKey(now.spans);
   for (const NamedSpan& span : now.spans) {
+    if (IsCalibration(span)) continue;
     const auto found = before.find(span.Key());
-    result.spans.push_back(found == before.end() ? SpanComparison{.key = span.Key(),
-                                                                  .reference = {},
-                                                                  .now = span.milliseconds,
-                                                                  .verdict = Verdict::kNew}
-                                                 : Compare(span, found->second, result));
+    if (found == before.end()) {
+      result.spans.push_back(
+          {.key = span.Key(), .reference = {}, .now = span.milliseconds, .verdict = Verdict::kNew});
+      continue;
+    }
+    const auto [calibration_before, calibration_after] = CalibrationsOf(span, before, after, result);
+    result.spans.push_back(Compare(span, found->second, calibration_before, calibration_after));
   }
   if (result.Count(Verdict::kNew) == result.spans.size()) {
     throw InputError(
@@ -82,7 +105,7 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
         "write a new reference");
   }
   for (const NamedSpan& span : reference.spans) {
-    if (!after.contains(span.Key()))
+    if (!IsCalibration(span) && !after.contains(span.Key()))
       result.spans.push_back(
           {.key = span.Key(), .reference = span.milliseconds, .now = {}, .verdict = Verdict::kMissing});
   }

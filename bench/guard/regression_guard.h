@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What became slower or faster since a reference was kept.
 //
-// Medians are compared, each divided by the median of its own process's calibration loop:
+// Medians are compared, each divided by the median of the calibration loop that took turns with it, in the
+// same table and process:
 //   ratio = (now / reference) / (calibration now / calibration of the reference).
+// Where a side does not have a table's own, those of the whole processes are taken.
 // How sure each of the four medians is comes from the order of its values (SpanStatistics::median_low,
 // _high), which needs no bell curve: a busy machine makes some of the values several times as large. A span
 // is slower when its ratio is above
@@ -13,7 +15,7 @@
 // program measured several times beside two or three other busy processes: mostly ratios within 9 % (pose
 // graphs 16 %) and tolerances of 13 % (18 %); once medians doubled and more, and the tolerances with them;
 // never a false alarm. The machine's drift within a run hits spans and calibration alike, for they take
-// turns.
+// turns; a run of minutes drifts by more than the tolerance from table to table.
 #pragma once
 
 #include <optional>

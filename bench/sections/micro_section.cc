@@ -9,6 +9,7 @@ namespace armature {
 BenchSection MicroSection(const std::vector<MicroBenchmark>& benchmarks) {
   BenchSection section{.name = "micro", .sequence = ""};
   std::vector<Contender> contenders;
+  contenders.reserve(benchmarks.size());
   for (const MicroBenchmark& benchmark : benchmarks) contenders.push_back(benchmark.make());
   RaceCalibrated(std::move(contenders), kMicroRuns + kMicroWarmUp, {kMicroWarmUp, 1}, section);
   section.spans = MicroSpans(benchmarks, section.rows);

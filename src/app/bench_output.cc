@@ -36,7 +36,8 @@ std::string BenchText(const BenchResults& results, TableFormat format) {
   if (format == TableFormat::kJson) return BenchJson(results.environment, results.settings, results.report);
   const auto [before, after] = LineFrame(format);
   std::string text;
-  for (const std::string& line : EnvironmentLines(results.environment)) text += before + line + after;
+  for (const std::string& line : EnvironmentLines(results.environment))
+    text.append(before).append(line).append(after);
   if (format != TableFormat::kMarkdown) text += "\n";
   std::vector<Table> tables;
   for (const BenchSection& section : results.report.sections)
