@@ -15,11 +15,14 @@ LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
     : options_(std::move(options)), models_(std::move(models)) {}
 
 std::string LinesEngine::Description() const {
+  const LineOptions& lines = options_.lines;
+  const bool is_scaled = lines.detector == "edgedrawing" && !lines.published;
   return fmt::format(
-      "our pipeline, as `armature run` processes a frame, with {} ({} parameters) in {}; the map's "
+      "our pipeline, as `armature run` processes a frame, with {} ({} parameters{}) in {}; the map's "
       "solution after the last frame is not part of it",
-      options_.lines.detector, options_.lines.published ? "published" : "tuned",
-      options_.lines.boxes_only ? "the boxes only" : "the whole image");
+      lines.detector, lines.published ? "published" : "tuned",
+      is_scaled ? fmt::format(", at {:g} of the image's size", lines.edgedrawing_scale) : "",
+      lines.boxes_only ? "the boxes only" : "the whole image");
 }
 
 void LinesEngine::Start(const BenchSequence& sequence) {
