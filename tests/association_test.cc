@@ -26,6 +26,49 @@ ProjectedEdge HorizontalEdge(double y, double from, double to) {
   return edge;
 }
 
+// The quick way past most pairs must leave the same as looking at every pair.
+TEST(Matching, IsAsIfEveryPairWereCompared) {
+  const SyntheticView synthetic("chair", 0.4, {0.1, 0.3, 2.5}, Eigen::Vector2d(0.5, -0.5));
+  const ProjectedWireframe projected = synthetic.Project(synthetic.truth);
+  std::vector<Segment> segments;
+  for (int i = 0; i < 60; ++i) {  // in every direction, all over the chair
+    const double angle = 2.4 * i, length = 12 + i;
+    const Eigen::Vector2d middle(330 + 3.7 * i, 90 + (53 * i) % 360);
+    const Eigen::Vector2d half = 0.5 * length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    segments.push_back({middle - half, middle + half});
+  }
+  segments.insert(segments.end(), synthetic.view.segments.begin(), synthetic.view.segments.end());
+  const MatchGate gate{15, 0.3};
+  double covered = 0;
+  std::vector<int> best_edge(segments.size(), -1);
+  std::vector<double> best(segments.size(), 0);
+  for (size_t e = 0; e < projected.edges.size(); ++e) {
+    if (projected.edges[e].length <= 1 || projected.edges[e].visible_share < 0.2) continue;
+    double sum = 0;
+    for (size_t i = 0; i < segments.size(); ++i) {
+      const PairScore pair = ComparePair(projected.edges[e], segments[i], gate);
+      const double explained = pair.overlap * pair.quality;
+      sum += explained;
+      if (explained <= best[i]) continue;
+      best[i] = explained;
+      best_edge[i] = static_cast<int>(e);
+    }
+    covered += std::min(sum, projected.edges[e].length * projected.edges[e].visible_share);
+  }
+  EXPECT_NEAR(CoveredLength(projected, segments, gate), covered, 1e-9);
+  const Matching matching = MatchSegments(projected, segments, gate);
+  ASSERT_GT(matching.matches.size(), 12u);
+  size_t next = 0;
+  for (size_t i = 0; i < segments.size(); ++i) {
+    if (best_edge[i] < 0) continue;
+    ASSERT_LT(next, matching.matches.size());
+    EXPECT_EQ(matching.matches[next].edge, best_edge[i]);
+    EXPECT_EQ(matching.matches[next].segment.p1, segments[i].p1);
+    ++next;
+  }
+  EXPECT_EQ(next, matching.matches.size());
+}
+
 TEST(Projection, EdgesBehindAFaceAreHidden) {
   // Seen from the front above, the rear legs' tops of a chair are hidden by its seat, the front legs are not.
   const SyntheticView synthetic("chair", 0.0, {0, 0.4, 2.0}, Eigen::Vector2d::Zero(), 0.7);

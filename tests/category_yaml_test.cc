@@ -137,6 +137,9 @@ TEST(CategoryYaml, BadSpecificationsAreNamedWithTheirLine) {
   ExpectRefused(chair, "- back_left", "- back_top", {"changed.yaml:6", "'back_top' twice"});
   ExpectRefused(chair, "[seat_left, seat_rear]", "[seat_left]", {"changed.yaml:", "base_edges", "two edges"});
   ExpectRefused(chair, "[seat_left, seat_rear]", "[seat_lefft, seat_rear]", {"seat_lefft", "seat_left"});
+  std::string many = "back_top.start";
+  for (int i = 0; i < kMaxFaceCorners; ++i) many += ", back_top.end";
+  ExpectRefused(chair, "back_top.start", many, {"changed.yaml:", "more than 16 corners"});
   ExpectRefused(chair, "back_top.start", "back_top.begin", {"'back_top.begin'", "EDGE.start"});
   ExpectRefused(chair, "height_above_ground", "height", {"'height'", "height_above_ground or length"});
   ExpectRefused(chair, "metres: 0.45", "metres: -0.45", {"reference.metres", "positive"});

@@ -43,11 +43,12 @@ std::optional<Segment> Longest(const std::vector<Segment>& segments) {
   return longest;
 }
 
-using DetectorParameters = std::tuple<std::string, bool>;
+using DetectorParameters =
+    std::tuple<std::string, bool, double>;  // name, published, share of the image's size
 
 LineOptions OptionsOf(const DetectorParameters& parameters) {
   LineOptions options;
-  std::tie(options.detector, options.published) = parameters;
+  std::tie(options.detector, options.published, options.edgedrawing_scale) = parameters;
   return options;
 }
 
@@ -98,8 +99,11 @@ std::string NameOf(const ::testing::TestParamInfo<DetectorParameters>& tested) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllDetectors, LineOffset,
-                         ::testing::Combine(::testing::ValuesIn(LineDetectorNames()), ::testing::Bool()),
+                         ::testing::Combine(::testing::ValuesIn(LineDetectorNames()), ::testing::Bool(),
+                                            ::testing::Values(LineOptions{}.edgedrawing_scale)),
                          NameOf);
+INSTANTIATE_TEST_SUITE_P(HalfSize, LineOffset,
+                         ::testing::Values(DetectorParameters{"edgedrawing", false, 0.5}), NameOf);
 
 }  // namespace
 }  // namespace armature

@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-// By two of its corners.
-Box UndistortedBox(const Camera& camera, const Box& box) {
-  const Eigen::Vector2d low = UndistortPixel(camera, {box.left(), box.top()});
-  const Eigen::Vector2d high = UndistortPixel(camera, {box.right(), box.bottom()});
-  return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
-}
-
 std::optional<Eigen::Vector3d> UpOf(const BenchSequence& sequence, const FrameInput& input) {
   if (!sequence.up_odom || !input.T_odom_camera) return std::nullopt;
   return (input.T_odom_camera->linear().transpose() * *sequence.up_odom).normalized();
@@ -32,7 +25,7 @@ KeypointInput InputOf(const Detection& detection, const KeypointCategory& catego
   input.view.camera = &camera;
   input.view.model = &category.model;
   input.view.detection = detection;
-  input.view.detection.box = UndistortedBox(camera, detection.box);
+  input.view.detection.box = UndistortBox(camera, detection.box);
   input.view.sides = SidesAtImageBorder(input.view.detection.box, camera, cut_tolerance);
   input.view.up_camera = up_camera;
   input.keypoints = &category.keypoints;

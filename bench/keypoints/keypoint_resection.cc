@@ -6,7 +6,6 @@
 #include "association/box_constraints.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
-#include "resection/resection_solver.h"
 
 namespace armature {
 namespace {
@@ -55,23 +54,6 @@ ResectionProblem MakeProblem(const ObjectView& view, const std::vector<ShapePoin
   return problem;
 }
 
-ResectionResult Solve(const ResectionProblem& problem, const PoseAndShape& start,
-                      const ResectionOptions& options) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
-  x.tail(problem.Modes()) = start.coefficients;
-  const SolverOptions solver{.max_iterations = options.max_iterations};
-  const SolverResult solved = options.solver == "ceres" ? SolveResectionWithCeres(problem, solver, x)
-                                                        : SolveResection(problem, solver, x);
-  ResectionResult result;
-  result.iterations = solved.iterations;
-  result.cost = solved.cost;
-  result.finite = x.allFinite();
-  result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
-  result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
-  result.estimate.coefficients = x.tail(problem.Modes());
-  return result;
-}
-
 }  // namespace
 
 std::vector<ShapePoint> KeypointsOf(const CategoryModel& model) {
@@ -117,10 +99,10 @@ ResectionResult ResectKeypoints(const ObjectView& view, const std::vector<ShapeP
                                 const ResectionOptions& options) {
   ResectionResult result{.estimate = start};
   for (const double widening : {16, 4, 1}) {
-    const ResectionProblem problem =
+    ResectionProblem problem =
         MakeProblem(view, keypoints, seen, result.estimate, options, widening * options.loss_scale);
     const int iterations = result.iterations;
-    result = Solve(problem, result.estimate, options);
+    result = ResectFrom(problem, result.estimate.coefficients, options);
     result.iterations += iterations;
     if (!result.finite) break;
   }

@@ -21,4 +21,14 @@ Eigen::Vector2d UndistortPixel(const Camera& camera, const Eigen::Vector2d& pixe
   return {out(0)[0], out(0)[1]};
 }
 
+Box UndistortBox(const Camera& camera, const Box& box) {
+  if (!camera.IsDistorted()) return box;
+  const Eigen::Vector2d c = box.center();
+  const double left = UndistortPixel(camera, {box.left(), c.y()}).x();
+  const double right = UndistortPixel(camera, {box.right(), c.y()}).x();
+  const double top = UndistortPixel(camera, {c.x(), box.top()}).y();
+  const double bottom = UndistortPixel(camera, {c.x(), box.bottom()}).y();
+  return {left, top, right - left, bottom - top};
+}
+
 }  // namespace armature

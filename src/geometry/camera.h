@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "geometry/box.h"
+
 namespace armature {
 
 struct Camera {
@@ -29,5 +31,8 @@ struct Camera {
 
 // The pixel where a distorted pixel would be, had the lens no distortion.
 Eigen::Vector2d UndistortPixel(const Camera& camera, const Eigen::Vector2d& pixel);
+
+// The box around the undistorted middles of a distorted box's sides.
+Box UndistortBox(const Camera& camera, const Box& box);
 
 }  // namespace armature

@@ -14,17 +14,6 @@
 namespace armature {
 namespace {
 
-// The box around the undistorted sides' middles.
-Box UndistortBox(const Camera& camera, const Box& box) {
-  if (!camera.IsDistorted()) return box;
-  const Eigen::Vector2d c = box.center();
-  const double left = UndistortPixel(camera, {box.left(), c.y()}).x();
-  const double right = UndistortPixel(camera, {box.right(), c.y()}).x();
-  const double top = UndistortPixel(camera, {c.x(), box.top()}).y();
-  const double bottom = UndistortPixel(camera, {c.x(), box.bottom()}).y();
-  return {left, top, right - left, bottom - top};
-}
-
 std::vector<Box> BoxesOf(const std::vector<Detection>& detections) {
   std::vector<Box> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);

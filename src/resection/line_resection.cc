@@ -199,11 +199,9 @@ Eigen::MatrixXd Covariance(const ResectionProblem& problem, const Eigen::VectorX
 
 }  // namespace
 
-ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start,
-                       const BoxOptions& box_options, const ResectionOptions& options) {
-  ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
-  Eigen::VectorXd x = UnknownsAt(problem, start.coefficients);
+ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coefficients,
+                           const ResectionOptions& options) {
+  Eigen::VectorXd x = UnknownsAt(problem, coefficients);
   const SolverResult solved = Solve(problem, options, x);
   ResectionResult result;
   result.iterations = solved.iterations;
@@ -213,6 +211,13 @@ ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std:
   result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
   result.estimate.coefficients = x.tail(problem.Modes());
   return result;
+}
+
+ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
+                       const ProjectedWireframe& projected, const PoseAndShape& start,
+                       const BoxOptions& box_options, const ResectionOptions& options) {
+  ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
+  return ResectFrom(problem, start.coefficients, options);
 }
 
 Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,

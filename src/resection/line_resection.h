@@ -9,6 +9,7 @@
 #include "association/box_constraints.h"
 #include "association/object_view.h"
 #include "resection/object_estimate.h"
+#include "resection/resection_problem.h"
 
 namespace armature {
 
@@ -35,6 +36,10 @@ struct ResectionResult {
   int iterations = 0;
   bool finite = true;
 };
+
+// The minimum of any such problem, from its own pose and the given shape, by the options' mode and solver.
+ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coefficients,
+                           const ResectionOptions& options);
 
 // One round: matches and the box's extreme points stay as they are at `start` (`projected` is its
 // projection).
