@@ -27,6 +27,10 @@ main_job() {
   echo
   armature eval "$out/run" --categories "$out/categories" --tables edges,trajectory,objects,paper
   echo
+  # The baselines that wait or really run take minutes: README, "Timing".
+  armature bench "$data/seq1" --categories "$out/categories" --tables comparison \
+    --engines lines,lines:fast,keypoints:published
+  echo
   echo "Sequences: $data (contact_sheet.jpg shows some of their pictures); results, a folder a sequence: $out/run"
 }
 

@@ -25,10 +25,10 @@ TEST(Hourglass, TwoStacksHaveThePublishedNumberOfParameters) {
   EXPECT_EQ(network.cost().multiply_adds, 8988917760);
 }
 
-TEST(Hourglass, EightStacksHaveThePublishedNumberOfParametersAndOperations) {
+TEST(Hourglass, EightStacksHaveThePublishedNumberOfParameters) {
   const HourglassNetwork network({.stacks = 8});
   EXPECT_EQ(network.cost().parameters, 25594624);  // 25.6 M
-  EXPECT_NEAR(2e-9 * static_cast<double>(network.cost().multiply_adds), 55, 2);
+  EXPECT_EQ(network.cost().multiply_adds, 28094496768);
 }
 
 TEST(Hourglass, OpenCvCountsAboutTheSameOperations) {

@@ -11,9 +11,9 @@
 // Counted for the 16 maps of human joints, in our layers:
 //   stacks  parameters   multiply-adds  known as
 //     2      6 730 912   8 988 917 760  the port's hg_s2_b1, 6.73 M
-//     8     25 594 624  28 094 496 768  the port's hg_s8_b1, 25.6 M, Newell's eight stacks; Zhang et al.
-//                                       2019 (Fast Human Pose Estimation) count 26 M and 55 G operations:
-//                                       27.5 G multiply-adds
+//     8     25 594 624  28 094 496 768  the port's hg_s8_b1, of the eight stacks of Newell et al.
+// The parameters are those of the port's code, layer by layer; for the multiply-adds no published figure was
+// found, so OpenCV's own count stands against ours (a test).
 // Parameters are weights and biases of convolutions, scales and shifts of batch normalisations.
 #pragma once
 

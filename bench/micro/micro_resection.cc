@@ -9,7 +9,7 @@
 namespace armature {
 namespace {
 
-constexpr size_t kLines = 14;  // that a solve has
+constexpr size_t kMatchedLines = 14;  // that a solve has
 constexpr int kSolves = 20;
 constexpr int kAlternations = 5;
 
@@ -17,7 +17,7 @@ Contender ResectContender(const std::string& name, const CategoryModel& model, c
                           const ResectionOptions& resection) {
   const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
   const PoseAndShape start = micro->NearTruth();
-  const std::vector<EdgeMatch> matches = MicroMatches(*micro, kLines, setup.association);
+  const std::vector<EdgeMatch> matches = MicroMatches(*micro, kMatchedLines, setup.association);
   return MicroContender(
       name, kSolves,
       [micro, start, matches, resection, projected = micro->Project(start), box = setup.association.box] {
