@@ -175,6 +175,7 @@ TEST(ResectionSolver, OtherNumbersOfModesComeToTheSame) {
   SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
   synthetic.model.basis.conservativeResize(Eigen::NoChange, 4);
   synthetic.model.standard_deviations.conservativeResize(4);
+  synthetic.truth.coefficients.conservativeResize(4);
   const ResectionProblem problem = SolvableProblem(synthetic);
   const SolverOptions options{.max_iterations = 300, .function_tolerance = 0, .parameter_tolerance = 1e-12};
   Eigen::VectorXd ours = Eigen::VectorXd::Zero(10), theirs = ours;
