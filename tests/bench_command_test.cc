@@ -125,6 +125,8 @@ TEST(BenchCommand, BadInput) {
   const std::string sequence = folder.path();
   ExpectBadInput({"bench"}, {"SEQUENCE", "bench --help"});
   ExpectBadInput({"bench", sequence, "--tables", "comparsion"}, {"comparsion", "comparison"});
+  ExpectBadInput({"bench", sequence, "--tables", "pipelined", "--engines", "keypoints:published"},
+                 {"--tables pipelined", "--engines lines"});
   ExpectBadInput({"bench", sequence, "--engines", "lines:fats"}, {"lines:fats", "lines:fast"});
   ExpectBadInput({"bench", sequence, "--threads", "0"}, {"--threads 0", "1 or more"});
   ExpectBadInput({"bench", sequence, "--warm-up", "-1"}, {"--warm-up -1"});

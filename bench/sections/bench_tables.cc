@@ -29,7 +29,7 @@ BenchSection MeasureSection(const std::string& name, const BenchTask& task) {
   if (name == "comparison") return ComparisonSection(task);
   if (name == "objects") return ObjectsSection(task);
   if (name == "detectors") return DetectorsSection(task);
-  if (name == "pipelined") return PipelinedSection(task);
+  if (name == kPipelinedTable) return PipelinedSection(task);
   return ScalingSection(task);
 }
 

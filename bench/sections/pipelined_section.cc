@@ -11,7 +11,6 @@
 
 #include "bench/lines_engine.h"
 #include "bench/spans.h"
-#include "io/errors.h"
 #include "pipeline/one_ahead.h"
 
 namespace armature {
@@ -129,11 +128,9 @@ Table PipelinedTable(const std::vector<PacedRun>& runs) {
 
 BenchSection PipelinedSection(const BenchTask& task) {
   const size_t warm_up = task.settings.harness.warm_up, frames = task.sequence.frames.size();
-  if (std::none_of(task.settings.engines.begin(), task.settings.engines.end(), IsLinesEngine))
-    throw InputError("--tables pipelined: needs an engine that is our pipeline; add --engines lines");
   CheckLongerThanWarmUp(frames, task.settings.harness);
   const std::vector<PacedRun> runs = RunAll(task);
-  BenchSection section{.name = "pipelined", .sequence = task.sequence.name};
+  BenchSection section{.name = kPipelinedTable, .sequence = task.sequence.name};
   section.frames = frames - warm_up;
   section.warmed_up = warm_up;
   section.rows = RowsOf(runs, warm_up);

@@ -2,13 +2,18 @@
 // One thread against two: lines of the next frame found while this one's objects are estimated.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "bench/bench_report.h"
 #include "bench/sections/bench_task.h"
 
 namespace armature {
 
-// Whole runs of each lines engine over the sequence, in one thread and in two in turn. Throws InputError when
-// no engine is our pipeline, or a run would be no longer than the warm-up.
+inline const std::string kPipelinedTable = "pipelined";
+
+// Whole runs of each lines engine over the sequence, in one thread and in two in turn; there has to be one.
+// Throws InputError when a run would be no longer than the warm-up.
 BenchSection PipelinedSection(const BenchTask& task);
 
 // One run of a sequence after the warm-up.

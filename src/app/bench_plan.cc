@@ -13,6 +13,7 @@
 #include "bench/sections/comparison_section.h"
 #include "bench/sections/memory_section.h"
 #include "bench/sections/micro_section.h"
+#include "bench/sections/pipelined_section.h"
 #include "eval/category_lookup.h"
 #include "io/errors.h"
 
@@ -56,6 +57,18 @@ BenchSettings SettingsOf(const BenchArguments& a, const EngineParts& parts) {
     settings.engines.push_back(FullEngineName(name, parts));
   settings.engines = EachOnce(settings.engines);
   return settings;
+}
+
+// The tables that were chosen, or all that these engines can fill: one compares our pipeline's threads.
+std::vector<std::string> TablesOf(const BenchArguments& a, const std::vector<std::string>& engines) {
+  std::vector<std::string> tables = EachOnce(a.tables.empty() ? BenchTableNames() : a.tables);
+  if (std::any_of(engines.begin(), engines.end(), IsLinesEngine)) return tables;
+  const auto pipelined = std::find(tables.begin(), tables.end(), kPipelinedTable);
+  if (pipelined == tables.end()) return tables;
+  if (!a.tables.empty())
+    throw InputError("--tables pipelined: needs an engine that is our pipeline; add --engines lines");
+  tables.erase(pipelined);
+  return tables;
 }
 
 MicroSetup MicroSetupOf(const EngineParts& parts) {
@@ -105,13 +118,11 @@ std::vector<LoadedSequence> LoadImages(const BenchPlan& plan) {
 
 }  // namespace
 
-BenchPlan::BenchPlan(const BenchArguments& a)
-    : tables(EachOnce(a.tables.empty() ? BenchTableNames() : a.tables)),
-      cad(a.cad),
-      parts(PartsOf(a.configuration)) {
+BenchPlan::BenchPlan(const BenchArguments& a) : cad(a.cad), parts(PartsOf(a.configuration)) {
   CheckBenchArguments(a);
   frames = static_cast<size_t>(a.frames);
   settings = SettingsOf(a, parts);
+  tables = TablesOf(a, settings.engines);
   micro_setup = MicroSetupOf(parts);
   micro = ChosenMicroBenchmarks(MicroBenchmarks(micro_setup), a.micro);
   if (tables == std::vector{kMicroTable}) return;
