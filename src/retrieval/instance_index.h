@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nearest neighbours among the instances of a library (paper 4.2: k-NN, k = 5), by FLANN.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace armature {
+
+// How neighbours are found; the parameters of other methods are ignored.
+struct IndexMethod {
+  // "linear": an exact scan; "kdtree_single": one KD-tree, exact; "kdtree": randomised KD-trees, approximate;
+  // "kmeans": a hierarchical k-means tree, approximate
+  std::string name = "kdtree_single";
+  int leaf_size = 10;       // kdtree_single: instances a leaf
+  int trees = 4;            // kdtree
+  int branching = 32;       // kmeans
+  int iterations = 11;      // kmeans, at most
+  int checks = 128;         // kdtree, kmeans: leaves that are looked at in a query
+  std::uint64_t seed = 1;   // kdtree, kmeans
+};
+
+struct Neighbour {
+  int instance = 0;     // column of the features
+  double distance = 0;  // Euclidean, of the features
+
+  bool operator==(const Neighbour&) const = default;
+};
+
+class InstanceIndex {
+ public:
+  // `features`: D x N, a column an instance; N = 0 is an index that finds nothing.
+  InstanceIndex(Eigen::MatrixXf features, const IndexMethod& method);
+  ~InstanceIndex();
+  InstanceIndex(InstanceIndex&&) noexcept;
+  InstanceIndex& operator=(InstanceIndex&&) noexcept;
+
+  // The k nearest, or all where there are fewer; nearest first, equally near ones by rising instance. `query`: D.
+  // Also among equally near ones at the end of the list the first are taken, where the method is exact.
+  std::vector<Neighbour> Nearest(const Eigen::VectorXf& query, int k) const;
+  // All within the radius (of approximate methods: those they find), in the same order.
+  std::vector<Neighbour> Within(const Eigen::VectorXf& query, double radius) const;
+
+  Eigen::Index instances() const;
+  Eigen::Index dimensions() const;
+
+  // The search structure as a file (the features are not in it), and back. The file says its version, the method with
+  // its parameters, a checksum of the features it was built from and one of itself. Save writes aside and renames,
+  // throws std::runtime_error. Load throws InputError naming the file and the remedy: missing, cut short,
+  // corrupt, of another version, of another method or other parameters, of other features.
+  void Save(const std::filesystem::path& file) const;
+  static InstanceIndex Load(const std::filesystem::path& file, Eigen::MatrixXf features, const IndexMethod& method);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+// linear, kdtree_single, kdtree, kmeans
+const std::vector<std::string>& IndexMethodNames();
+
+}  // namespace armature
