@@ -10,8 +10,8 @@
 
 namespace armature {
 
-// Points spread evenly over the surface (by area; the same for the same mesh, count and seed on every platform).
-// 3 x count, the mesh's unit. At least one triangle with an area.
+// Points spread evenly over the surface (by area; the same for the same mesh, count and seed on every
+// platform). 3 x count, the mesh's unit. At least one triangle with an area.
 Eigen::Matrix3Xf SampleSurface(const TriangleMesh& mesh, int count, std::uint64_t seed);
 
 // Points with PCL's KD-tree over them.

@@ -7,6 +7,7 @@ packages=(
   build-essential g++ cmake ninja-build git ca-certificates
   libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libfmt-dev libspdlog-dev libembree-dev libflann-dev liblz4-dev
+  libpcl-dev
   libgtest-dev gnuplot-nox clang-format clang-tidy
 )
 

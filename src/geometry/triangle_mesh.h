@@ -6,13 +6,13 @@
 
 namespace armature {
 
-using Rgb = Eigen::Matrix<unsigned char, 3, 1>;  // red, green, blue, 0-255
+using ColourBytes = Eigen::Matrix<unsigned char, 3, 1>;  // red, green, blue, 0-255
 
 // Seen from both sides: the order of a triangle's corners says nothing.
 struct TriangleMesh {
-  Eigen::Matrix3Xd vertices;                                   // 3 x V
-  Eigen::Matrix3Xi triangles;                                  // 3 x T, indices of vertices
-  Eigen::Matrix<unsigned char, 3, Eigen::Dynamic> colours;     // 3 x T, one a triangle; 3 x 0: not known
+  Eigen::Matrix3Xd vertices;                                // 3 x V
+  Eigen::Matrix3Xi triangles;                               // 3 x T, indices of vertices
+  Eigen::Matrix<unsigned char, 3, Eigen::Dynamic> colours;  // 3 x T, one a triangle; 3 x 0: not known
 
   Eigen::Index size() const { return triangles.cols(); }
 };
@@ -21,6 +21,6 @@ struct TriangleMesh {
 TriangleMesh Moved(const Eigen::Affine3d& T, TriangleMesh mesh);
 
 // All triangles of both; a mesh without colours gets `colour`.
-void Append(const TriangleMesh& more, const Rgb& colour, TriangleMesh& mesh);
+void Append(const TriangleMesh& more, const ColourBytes& colour, TriangleMesh& mesh);
 
 }  // namespace armature

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map as something to look at: cameras, trajectory, wireframes and CAD models as coloured triangles, so that
-// every viewer of meshes shows all of it.
+// The map as something to look at: cameras, trajectory, wireframes and CAD models as coloured triangles, so
+// that every viewer of meshes shows all of it.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -9,21 +9,21 @@
 
 namespace armature {
 
-// By the name's ending: .ply and .obj (PCL's readers), .off. Polygons become triangles. Vertices in the file's
-// unit and frame. Throws InputError naming the file (and, of .off, the line): missing, malformed, another ending,
-// a corner that is no vertex, a coordinate that is not finite, no triangle.
+// By the name's ending: .ply (PCL's reader), .obj, .off. Polygons become triangles. Vertices in the file's
+// unit and frame. Throws InputError naming the file (and, of .obj and .off, the line): missing, malformed,
+// another ending, a corner that is no vertex, a coordinate that is not finite, no triangle.
 TriangleMesh ReadMesh(const std::filesystem::path& file);
 
-// The boxes of one CAD model in a table of boxes, as 12 triangles each; the file's unit and frame. A line is two
-// ids, then centre 3, half size 3, axes 9 (row-major, a row an axis). `id` is looked for among both ids. Throws
-// InputError naming file and line: missing, malformed, no box of this id.
+// The boxes of one CAD model in a table of boxes, as 12 triangles each; the file's unit and frame. A line is
+// two ids, then centre 3, half size 3, axes 9 (row-major, a row an axis). `id` is looked for among both ids.
+// Throws InputError naming file and line: missing, malformed, no box of this id.
 TriangleMesh ReadBoxes(const std::filesystem::path& file, const std::string& id);
 
 // "FILE" as ReadMesh has it, "FILE#ID" as ReadBoxes has it.
 TriangleMesh ReadGeometry(const std::filesystem::path& file_and_id);
 
-// Binary PLY with the triangles' colours (PCL's writer), written aside and renamed. Throws std::runtime_error when
-// it cannot be written.
+// Binary PLY with the triangles' colours (PCL's writer), written aside and renamed. Throws std::runtime_error
+// when it cannot be written.
 void WritePly(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace armature

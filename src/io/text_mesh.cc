@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/text_mesh.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/errors.h"
+#include "io/mesh_builder.h"
+#include "io/text.h"
+
+namespace armature {
+namespace {
+
+using Fields = std::vector<std::string>;
+
+Fields Split(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
+}
+
+// Three fields from `first` on are the coordinates.
+void AddVertex(const Fields& fields, size_t first, int line, MeshBuilder& mesh) {
+  if (fields.size() < first + 3) {
+    throw InputError(fmt::format("{}: a vertex has {} numbers where x, y and z are needed", mesh.At(line),
+                                 fields.size() - first));
+  }
+  Eigen::Vector3d vertex;
+  for (size_t i = 0; i < 3; ++i) {
+    vertex[static_cast<Eigen::Index>(i)] = ParseNumber(fields[first + i], mesh.At(line));
+  }
+  mesh.AddVertex(vertex, line);
+}
+
+// "7", "7/1", "7//3", "7/1/3" or "-1"; from 1, or backwards from the last vertex.
+std::int64_t ObjCorner(const std::string& field, int line, const MeshBuilder& mesh) {
+  const std::int64_t index = ParseInteger(field.substr(0, field.find('/')), mesh.At(line));
+  if (index == 0) {
+    throw InputError(fmt::format("{}: a face has a corner at vertex 0; OBJ counts from 1", mesh.At(line)));
+  }
+  return index > 0 ? index - 1 : mesh.vertices() + index;
+}
+
+void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
+  const Fields fields = Split(line.text);
+  if (fields[0] == "v") return AddVertex(fields, 1, line.number, mesh);
+  if (fields[0] != "f") return;
+  std::vector<std::int64_t> corners;
+  for (size_t i = 1; i < fields.size(); ++i) corners.push_back(ObjCorner(fields[i], line.number, mesh));
+  mesh.AddPolygon(corners, line.number);
+}
+
+void AddOffFace(const TextLine& line, MeshBuilder& mesh) {
+  const Fields fields = Split(line.text);
+  const std::string where = mesh.At(line.number);
+  const int count = ParseInteger(fields[0], where);
+  if (count < 0 || fields.size() - 1 < static_cast<size_t>(count)) {
+    throw InputError(fmt::format("{}: a face says {} corners and names {}", where, count, fields.size() - 1));
+  }
+  std::vector<std::int64_t> corners;
+  for (size_t i = 1; i <= static_cast<size_t>(count); ++i) corners.push_back(ParseInteger(fields[i], where));
+  mesh.AddPolygon(corners, line.number);
+}
+
+struct OffCounts {
+  size_t vertices = 0, faces = 0;
+  size_t lines = 0;  // that the head takes
+};
+
+OffCounts ReadOffCounts(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
+  if (lines.empty() || !lines[0].text.starts_with("OFF")) {
+    throw InputError(
+        fmt::format("{}: does not start with OFF; convert it to OFF, PLY or OBJ", file.string()));
+  }
+  const std::string rest = Trimmed(lines[0].text.substr(3));
+  const size_t head = rest.empty() ? 2 : 1;
+  if (lines.size() < head) throw InputError(fmt::format("{}: ends after OFF; copy it again", file.string()));
+  const std::string where = fmt::format("{}:{}", file.string(), lines[head - 1].number);
+  const Fields counts = Split(rest.empty() ? lines[1].text : rest);
+  const int vertices = ParseInteger(counts[0], where);
+  const int faces = counts.size() < 2 ? -1 : ParseInteger(counts[1], where);
+  if (vertices < 0 || faces < 0) {
+    throw InputError(fmt::format("{}: write the numbers of vertices, faces and edges", where));
+  }
+  return {static_cast<size_t>(vertices), static_cast<size_t>(faces), head};
+}
+
+}  // namespace
+
+TriangleMesh ReadObj(const std::filesystem::path& file) {
+  MeshBuilder mesh(file);
+  for (const TextLine& line : ReadTextLines(file)) AddObjLine(line, mesh);
+  return mesh.Build();
+}
+
+TriangleMesh ReadOff(const std::filesystem::path& file) {
+  const std::vector<TextLine> lines = ReadTextLines(file);
+  const OffCounts counts = ReadOffCounts(file, lines);
+  if (lines.size() - counts.lines < counts.vertices + counts.faces) {
+    throw InputError(fmt::format("{}: says {} vertices and {} faces, but only {} lines follow; copy it again",
+                                 file.string(), counts.vertices, counts.faces, lines.size() - counts.lines));
+  }
+  MeshBuilder mesh(file);
+  const TextLine* line = lines.data() + counts.lines;
+  for (size_t i = 0; i < counts.vertices; ++i, ++line) AddVertex(Split(line->text), 0, line->number, mesh);
+  for (size_t i = 0; i < counts.faces; ++i, ++line) AddOffFace(*line, mesh);
+  return mesh.Build();
+}
+
+}  // namespace armature

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+
+#include "geometry/mesh_shapes.h"
+#include "io/mesh_file.h"
+#include "support/expect_input_error.h"
+#include "support/shared_data.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+using testing::ExpectInputError;
+
+// A unit square in the x-y plane: corners in order around it, as a quad.
+const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+std::string PlyHead(const std::string& format, int vertices, int faces, const std::string& real = "float") {
+  return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) + "\nproperty " + real +
+         " x\nproperty " + real + " y\nproperty " + real + " z\nelement face " + std::to_string(faces) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+const std::string kSquareVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+
+template <typename T>
+std::string Bytes(T value, std::endian order = std::endian::little) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  if (order != std::endian::native) bytes.assign(bytes.rbegin(), bytes.rend());
+  return bytes;
+}
+
+std::string BinarySquare(std::endian order, const std::vector<int>& corners) {
+  std::string bytes =
+      PlyHead(order == std::endian::little ? "binary_little_endian" : "binary_big_endian", 4, 1);
+  for (const float v : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f}) bytes += Bytes(v, order);
+  bytes += static_cast<char>(corners.size());
+  for (const int corner : corners) bytes += Bytes(corner, order);
+  return bytes;
+}
+
+double AreaOf(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles.colwise()) {
+    const Eigen::Vector3d a = mesh.vertices.col(t[0]);
+    area += (mesh.vertices.col(t[1]) - a).cross(mesh.vertices.col(t[2]) - a).norm() / 2;
+  }
+  return area;
+}
+
+void ExpectUnitSquare(const TriangleMesh& mesh) {
+  EXPECT_EQ(mesh.vertices.cols(), 4);
+  EXPECT_EQ(mesh.size(), 2);
+  EXPECT_NEAR(AreaOf(mesh), 1, 1e-7);
+  EXPECT_EQ(mesh.vertices.col(2), Eigen::Vector3d(1, 1, 0));
+}
+
+class MeshFile : public ::testing::Test {
+ protected:
+  TriangleMesh Read(const std::string& name, const std::string& content) const {
+    return ReadMesh(folder_.Write(name, content));
+  }
+  void ExpectRefused(const std::string& name, const std::string& content,
+                     const std::vector<std::string>& texts) const {
+    std::vector<std::string> all = texts;
+    all.push_back(name);
+    ExpectInputError([&] { Read(name, content); }, all);
+  }
+
+  testing::TempFolder folder_;
+};
+
+TEST_F(MeshFile, ObjFacesAreReadInEveryForm) {
+  for (const char* face : {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4", "f 1//1 2//1 3//1 4//1",
+                           "f 1/1/1 2/2/1 3/3/1 4/4/1", "f -4 -3 -2 -1"}) {
+    ExpectUnitSquare(Read("a.obj", kSquareObj + face + "\n"));
+  }
+}
+
+TEST_F(MeshFile, ObjMayHaveMoreNormalsThanVerticesAndWhatIsNotAMesh) {
+  std::string text = "mtllib none.mtl\no chair\n" + kSquareObj + "vt 0 0\n";
+  for (int i = 0; i < 100; ++i) text += "vn 0 0 1\n";
+  ExpectUnitSquare(Read("a.OBJ", text + "usemtl wood\ns off\nf 1//1 2//50 3//99 4//100 # all\n"));
+}
+
+TEST_F(MeshFile, ObjBadInput) {
+  ExpectRefused("a.obj", "", {"no face"});
+  ExpectRefused("a.obj", kSquareObj, {"no face"});
+  ExpectRefused("a.obj", kSquareObj + "f 1 2\n", {"a.obj:5", "2 corners"});
+  ExpectRefused("a.obj", kSquareObj + "f 1 2 5\n", {"a.obj:5", "vertex 4", "4 vertices"});
+  ExpectRefused("a.obj", kSquareObj + "f 1 2 -5\n", {"a.obj:5", "vertex -1"});
+  ExpectRefused("a.obj", kSquareObj + "f 0 1 2\n", {"a.obj:5", "counts from 1"});
+  ExpectRefused("a.obj", kSquareObj + "f 1 2 x\n", {"a.obj:5", "'x'"});
+  ExpectRefused("a.obj", kSquareObj + "f /1 2 3\n", {"a.obj:5", "''"});
+  ExpectRefused("a.obj", "v 0 0\n", {"a.obj:1", "x, y and z"});
+  ExpectRefused("a.obj", "v 0 nan 0\n", {"a.obj:1", "'nan'"});
+}
+
+TEST_F(MeshFile, OffHeadMayBeGluedToTheCounts) {
+  const std::string body = kSquareVertices + "3 0 1 2 255 0 0\n3 0 2 3\n";
+  for (const char* head :
+       {"OFF\n4 2 0\n", "OFF4 2 0\n", "OFF 4 2\n", "OFF # a square\n\n# counts\n4 2 0\n"}) {
+    ExpectUnitSquare(Read("a.off", head + body));
+  }
+  ExpectUnitSquare(Read("a.off", "OFF\n4 1 0\n" + kSquareVertices + "4 0 1 2 3\n"));
+}
+
+TEST_F(MeshFile, OffBadInput) {
+  ExpectRefused("a.off", "", {"start with OFF"});
+  ExpectRefused("a.off", "ply\n", {"start with OFF"});
+  ExpectRefused("a.off", "OFF\n", {"ends after OFF"});
+  ExpectRefused("a.off", "OFF\n4\n", {"a.off:2", "numbers of vertices, faces"});
+  ExpectRefused("a.off", "OFF\n-4 2 0\n", {"a.off:2"});
+  ExpectRefused("a.off", "OFF\n2000000000 2000000000 0\n", {"2000000000", "only 0 lines"});
+  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices, {"only 4 lines"});
+  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "3 0 1 4\n", {"a.off:7", "vertex 4"});
+  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "5 0 1 2 3\n", {"a.off:7", "5 corners"});
+  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "-1 0 1 2\n", {"a.off:7", "-1 corners"});
+  ExpectRefused("a.off", "OFF\n1 1 0\n0 inf 0\n3 0 0 0\n", {"a.off:3", "'inf'"});
+  ExpectRefused("a.off", "OFF\n1 1 0\n0 0\n3 0 0 0\n", {"a.off:3", "x, y and z"});
+}
+
+TEST_F(MeshFile, PlyIsReadAsTextAndInBothByteOrders) {
+  ExpectUnitSquare(Read("a.ply", PlyHead("ascii", 4, 1) + kSquareVertices + "4 0 1 2 3\n"));
+  ExpectUnitSquare(Read("a.ply", PlyHead("ascii", 4, 1, "double") + kSquareVertices + "4 0 1 2 3\n"));
+  ExpectUnitSquare(Read("a.ply", BinarySquare(std::endian::little, {0, 1, 2, 3})));
+  ExpectUnitSquare(Read("a.ply", BinarySquare(std::endian::big, {0, 1, 2, 3})));
+}
+
+TEST_F(MeshFile, PlyPropertiesThatAreNotNeededAreLeftOutInSilence) {
+  const std::string text =
+      "ply\nformat ascii 1.0\ncomment a\nelement vertex 4\nproperty uchar quality\nproperty double x\n"
+      "property double y\nproperty double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "element face 1\nproperty list uchar int vertex_index\nproperty uchar red\nend_header\n"
+      "7 0 0 0 1 2 3\n7 1 0 0 1 2 3\n7 1 1 0 1 2 3\n7 0 1 0 1 2 3\n4 0 1 2 3 9\n";
+  ::testing::internal::CaptureStderr();
+  ExpectUnitSquare(Read("a.ply", text));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(MeshFile, PlyBadInput) {
+  const std::string malformed = "cut short or malformed";
+  ExpectRefused("a.ply", "", {"header does not end"});
+  ExpectRefused("a.ply", "OFF\n", {"start with 'ply'"});
+  ExpectRefused("a.ply", "ply\nformat ascii 1.0\nelement vertex 4\n", {"header does not end"});
+  ExpectRefused("a.ply", "ply\nformat ascii 1.0\nelement vertex\nend_header\n", {"name and a number"});
+  ExpectRefused("a.ply", "ply\nformat ascii 1.0\nelement face 0\nend_header\n", {"no element 'vertex'"});
+  ExpectRefused("a.ply", "ply\nformat ascii 1.0\nelement vertex 0\nelement face 0\nend_header\n",
+                {"x, y and z"});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 1, "int") + kSquareVertices + "4 0 1 2 3\n",
+                {"float or double"});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 0) + kSquareVertices, {"no face"});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 1) + kSquareVertices, {malformed});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 1) + "0 0 0\n1 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", {malformed});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 1) + kSquareVertices + "4 0 1 2 4\n", {"vertex 4"});
+  ExpectRefused("a.ply", PlyHead("ascii", 4, 1) + "0 0 0\n1 0 0\n1 nan 0\n0 1 0\n4 0 1 2 3\n",
+                {"not finite"});
+  ExpectRefused("a.ply", PlyHead("fantasy", 4, 1) + kSquareVertices + "4 0 1 2 3\n", {malformed});
+  const std::string binary = BinarySquare(std::endian::little, {0, 1, 2, 3});
+  for (const size_t missing : {1, 4, 17, 40}) {
+    ExpectRefused("a.ply", binary.substr(0, binary.size() - missing), {malformed});
+  }
+  ExpectRefused("a.ply", BinarySquare(std::endian::little, {0, 1, 2, -1}), {"vertex"});
+}
+
+TEST_F(MeshFile, PlyThatClaimsMoreThanItHoldsIsRefusedBeforeItTakesMemory) {
+  const std::string head = "ply\nformat binary_little_endian 1.0\n";
+  const std::string real = "property float x\nproperty float y\nproperty float z\n";
+  const std::string list = "property list uint int vertex_indices\nend_header\n";
+  ExpectRefused("a.ply", head + "element vertex 4000000000\n" + real + "element face 1\n" + list,
+                {"4000000000", "'vertex'", "bytes"});
+  ExpectRefused("a.ply", head + "element vertex 0\n" + real + "element face 4000000000\n" + list,
+                {"4000000000", "'face'", "bytes"});
+  ExpectRefused("a.ply",
+                head + "obj_info num_cols 60000\nobj_info num_rows 60000\nelement vertex 1\n" + real +
+                    "element face 1\n" + list + std::string(12, '\0'),
+                {"range image"});
+  ExpectRefused("a.ply",
+                head + "element vertex 1\n" + real + "element vertex 1\n" + real + "element face 1\n" + list,
+                {"'vertex'", "twice"});
+  ExpectRefused("a.ply",
+                head + "element vertex 1\n" + real + "property list uint float more\nelement face 1\n" + list,
+                {"lists"});
+  ExpectRefused("a.ply",
+                head + "element vertex 1\n" + real + "element face 1\n" + list + std::string(12, '\0') +
+                    Bytes(0xF0000000u) + Bytes(0),
+                {"cut short or malformed"});
+}
+
+TEST_F(MeshFile, BadNames) {
+  ExpectInputError([&] { ReadMesh(folder_ / "none.ply"); }, {"none.ply", "cannot be opened"});
+  ExpectInputError([&] { ReadMesh(folder_ / "none.off"); }, {"none.off", "cannot be opened"});
+  ExpectInputError([&] { ReadMesh(folder_ / "none.obj"); }, {"none.obj", "cannot be opened"});
+  ExpectInputError([&] { ReadMesh(folder_ / "none.stl"); }, {"none.stl", ".ply, .obj or .off"});
+  std::filesystem::create_directories(folder_ / "folder.ply");
+  ExpectInputError([&] { ReadMesh(folder_ / "folder.ply"); }, {"folder.ply", "cannot be opened"});
+}
+
+// Half size (1, 2, 3), its u axis along y, its v axis along -x.
+const std::string kTurnedBox = "m1 7 10 0 0 1 2 3 0 1 0 -1 0 0 0 0 1\n";
+
+TEST_F(MeshFile, BoxesAreFoundByEitherId) {
+  const std::filesystem::path file = folder_.Write(
+      "boxes.txt", "# ids box\n" + kTurnedBox + "m2 8 0 0 0 1 1 1 1 0 0 0 1 0 0 0 1\n" + kTurnedBox);
+  for (const char* id : {"m1", "7"}) {
+    const TriangleMesh boxes = ReadGeometry(file.string() + "#" + id);
+    EXPECT_EQ(boxes.size(), 24);
+    EXPECT_NEAR(AreaOf(boxes), 2 * 2 * (2 * 4 + 2 * 6 + 4 * 6), 1e-9);
+    EXPECT_TRUE(boxes.vertices.rowwise().minCoeff().isApprox(Eigen::Vector3d(8, -1, -3)));
+    EXPECT_TRUE(boxes.vertices.rowwise().maxCoeff().isApprox(Eigen::Vector3d(12, 1, 3)));
+  }
+}
+
+TEST_F(MeshFile, BoxesBadInput) {
+  const std::filesystem::path file = folder_.Write("boxes.txt", kTurnedBox + "m2 8 1 2 3\n");
+  EXPECT_EQ(ReadBoxes(file, "m1").size(), 12);
+  ExpectInputError([&] { ReadBoxes(file, "m3"); }, {"boxes.txt", "no box of 'm3'"});
+  ExpectInputError([&] { ReadBoxes(file, "m2"); }, {"boxes.txt:2", "15 numbers"});
+  ExpectInputError([&] { ReadBoxes(folder_ / "none.txt", "m1"); }, {"none.txt", "cannot be opened"});
+  ExpectInputError([&] { ReadBoxes(folder_.Write("b.txt", "m1 7 0 0 0 1 1 1 1 0 0 0 1 0 0 0 x\n"), "m1"); },
+                   {"b.txt:1"});
+}
+
+TEST_F(MeshFile, WhatIsWrittenIsReadAgain) {
+  TriangleMesh mesh;
+  Append(BoxMesh({1, 2, 3}, Eigen::Matrix3d::Identity()), {255, 0, 10}, mesh);
+  Append(BallMesh({0, 0, 0}, 0.5), {0, 128, 255}, mesh);
+  WritePly(mesh, folder_ / "a.ply");
+  const TriangleMesh read = ReadMesh(folder_ / "a.ply");
+  EXPECT_EQ(read.size(), mesh.size());
+  EXPECT_EQ(read.vertices.cols(), mesh.vertices.cols());
+  EXPECT_NEAR(AreaOf(read), AreaOf(mesh), 1e-5);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.ply.partial"));
+}
+
+TEST_F(MeshFile, VerticesBetweenTwoColoursAreWrittenForEach) {
+  TriangleMesh mesh{Eigen::Matrix3Xd::Zero(3, 4), Eigen::Matrix3Xi(3, 2), {}};
+  mesh.vertices.rightCols<3>().setIdentity();
+  mesh.triangles << 0, 1, 1, 2, 2, 3;
+  mesh.colours.resize(3, 2);
+  mesh.colours << 250, 20, 30, 240, 1, 2;
+  WritePly(mesh, folder_ / "a.ply");
+  const std::string file = testing::ReadFile(folder_ / "a.ply");
+  EXPECT_NE(file.find("element vertex 6\n"), std::string::npos);
+  EXPECT_NE(file.find("property uchar red\n"), std::string::npos);
+  const std::string body = file.substr(file.find("end_header\n") + 11);
+  ASSERT_GE(body.size(), 6u * 15u);
+  for (size_t vertex = 0; vertex < 6; ++vertex) {  // three floats and the colour
+    EXPECT_EQ(body.substr(15 * vertex + 12, 3), vertex < 3 ? "\xFA\x1E\x01" : "\x14\xF0\x02");
+  }
+}
+
+TEST_F(MeshFile, WritingWhereNobodyMayIsAnError) {
+  const TriangleMesh ball = BallMesh({0, 0, 0}, 1);
+  EXPECT_THROW(WritePly(ball, folder_ / "no" / "folder" / "a.ply"), std::runtime_error);
+  std::filesystem::create_directories(folder_ / "taken.ply" / "inside");
+  EXPECT_THROW(WritePly(ball, folder_ / "taken.ply"), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "taken.ply.partial"));
+}
+
+TEST(SharedMeshes, LaptopsAndBoxesOfTheSharedDataAreRead) {
+  ARMATURE_SHARED_DATA_OR_SKIP(cad, "cad");
+  EXPECT_GT(ReadMesh(cad / "modelnet40_laptop" / "laptop_0002.off").size(), 50);
+  const std::string boxes = (cad / "keypointnet_chair_boxes.txt").string();
+  EXPECT_GE(ReadGeometry(boxes + "#11740d372308f12185047f9f654ddc2e").size(), 5 * 12);
+}
+
+}  // namespace
+}  // namespace armature
