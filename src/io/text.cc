@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -36,7 +35,9 @@ std::string ReadTextFile(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: cannot be opened; check that it exists and may be read", file.string()));
   }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return std::move(content).str();
 }
 
 std::vector<TextLine> ReadTextLines(const std::filesystem::path& file) {

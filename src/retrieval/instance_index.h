@@ -16,12 +16,12 @@ struct IndexMethod {
   // "linear": an exact scan; "kdtree_single": one KD-tree, exact; "kdtree": randomised KD-trees, approximate;
   // "kmeans": a hierarchical k-means tree, approximate
   std::string name = "kdtree_single";
-  int leaf_size = 10;       // kdtree_single: instances a leaf
-  int trees = 4;            // kdtree
-  int branching = 32;       // kmeans
-  int iterations = 11;      // kmeans, at most
-  int checks = 128;         // kdtree, kmeans: leaves that are looked at in a query
-  std::uint64_t seed = 1;   // kdtree, kmeans
+  int leaf_size = 10;      // kdtree_single: instances a leaf
+  int trees = 4;           // kdtree
+  int branching = 32;      // kmeans
+  int iterations = 11;     // kmeans, at most
+  int checks = 128;        // kdtree, kmeans: leaves that are looked at in a query
+  std::uint64_t seed = 1;  // kdtree, kmeans
 };
 
 struct Neighbour {
@@ -33,30 +33,39 @@ struct Neighbour {
 
 class InstanceIndex {
  public:
-  // `features`: D x N, a column an instance; N = 0 is an index that finds nothing.
+  // `features`: D x N, a column an instance, finite; N = 0 is an index that finds nothing. The same seed
+  // builds the same structure. Throws InputError for an unknown name or a parameter out of range.
   InstanceIndex(Eigen::MatrixXf features, const IndexMethod& method);
   ~InstanceIndex();
   InstanceIndex(InstanceIndex&&) noexcept;
   InstanceIndex& operator=(InstanceIndex&&) noexcept;
 
-  // The k nearest, or all where there are fewer; nearest first, equally near ones by rising instance. `query`: D.
-  // Also among equally near ones at the end of the list the first are taken, where the method is exact.
+  // The k nearest, or all where there are fewer; nearest first, equally near ones by rising instance.
+  // `query`: D. Also among equally near ones at the end of the list the first are taken, where the method is
+  // exact. Distances are computed in double precision. Queries may be asked from several threads at once.
+  // Throws std::invalid_argument when the query has another dimension or k is less than 1.
   std::vector<Neighbour> Nearest(const Eigen::VectorXf& query, int k) const;
   // All within the radius (of approximate methods: those they find), in the same order.
   std::vector<Neighbour> Within(const Eigen::VectorXf& query, double radius) const;
 
   Eigen::Index instances() const;
   Eigen::Index dimensions() const;
+  // The features and the search structure, as FLANN counts it.
+  size_t memory_bytes() const;
 
-  // The search structure as a file (the features are not in it), and back. The file says its version, the method with
-  // its parameters, a checksum of the features it was built from and one of itself. Save writes aside and renames,
-  // throws std::runtime_error. Load throws InputError naming the file and the remedy: missing, cut short,
-  // corrupt, of another version, of another method or other parameters, of other features.
+  // The search structure as a file (the features are not in it), and back. The file says its version, the
+  // method with the parameters that it was built with (not `checks`), a checksum of the features and one of
+  // itself. Save writes aside and renames, throws std::runtime_error. Load throws InputError naming the file
+  // and the remedy: missing, cut short, corrupt, of another version, of another method or other such
+  // parameters, of other features.
   void Save(const std::filesystem::path& file) const;
-  static InstanceIndex Load(const std::filesystem::path& file, Eigen::MatrixXf features, const IndexMethod& method);
+  static InstanceIndex Load(const std::filesystem::path& file, Eigen::MatrixXf features,
+                            const IndexMethod& method);
 
  private:
   struct Implementation;
+  explicit InstanceIndex(std::unique_ptr<Implementation> implementation);
+
   std::unique_ptr<Implementation> implementation_;
 };
 

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "datasets/random.h"
+#include "retrieval/instance_index.h"
+#include "support/expect_input_error.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+using testing::ExpectInputError;
+using testing::ReadFile;
+using testing::TempFolder;
+
+IndexMethod SavedMethod(const std::string& name) {
+  IndexMethod method;
+  method.name = name;
+  return method;
+}
+
+Eigen::MatrixXf SavedFeatures(Eigen::Index count) {
+  Random random(1);
+  return Eigen::MatrixXf::NullaryExpr(7, count, [&] { return static_cast<float>(random.Normal(0, 1)); });
+}
+
+class SavedIndex : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(InstanceIndex, SavedIndex, ::testing::ValuesIn(IndexMethodNames()),
+                         [](const auto& test) { return test.param; });
+
+// 8000 instances: more than FLANN's blocks of 64 KB, which it must read one after the other.
+TEST_P(SavedIndex, AnswersAsTheOneThatWasBuilt) {
+  const TempFolder folder;
+  const IndexMethod method = SavedMethod(GetParam());
+  for (const Eigen::Index count : {0, 1, 40, 8000}) {
+    const Eigen::MatrixXf features = SavedFeatures(count);
+    const InstanceIndex built(features, method);
+    built.Save(folder / "index");
+    const InstanceIndex loaded = InstanceIndex::Load(folder / "index", features, method);
+    const Eigen::MatrixXf queries = SavedFeatures(20);
+    for (const auto& query : queries.colwise()) {
+      const Eigen::VectorXf beside = query.array() + 0.1F;
+      ASSERT_EQ(loaded.Nearest(beside, 5), built.Nearest(beside, 5)) << count;
+      ASSERT_EQ(loaded.Within(beside, 0.8), built.Within(beside, 0.8)) << count;
+    }
+    EXPECT_EQ(loaded.memory_bytes(), built.memory_bytes());
+    loaded.Save(folder / "again");
+    EXPECT_TRUE(ReadFile(folder / "again") == ReadFile(folder / "index")) << count;
+  }
+}
+
+TEST_P(SavedIndex, ADamagedFileIsRefused) {
+  const TempFolder folder;
+  const Eigen::MatrixXf features = SavedFeatures(60);
+  const IndexMethod method = SavedMethod(GetParam());
+  InstanceIndex(features, method).Save(folder / "index");
+  const std::string good = ReadFile(folder / "index");
+  int files = 0;  // each a new one: to replace one waits for the disk
+  const auto expect_refused = [&](const std::string& content) {
+    const auto file = folder.Write("damaged" + std::to_string(++files), content);
+    ExpectInputError([&] { InstanceIndex::Load(file, features, method); },
+                     {file.filename(), "armature retrieve --build"});
+  };
+  for (size_t size = 0; size < good.size(); size += 1 + good.size() / 60)
+    expect_refused(good.substr(0, size));
+  for (size_t at = 0; at < good.size(); at += at < 200 ? 1 : good.size() / 100) {
+    std::string flipped = good;
+    flipped[at] = static_cast<char>(flipped[at] ^ 4);
+    expect_refused(flipped);
+  }
+  expect_refused(good + '\n');
+  expect_refused("");
+  EXPECT_NO_THROW(InstanceIndex::Load(folder / "index", features, method));
+}
+
+TEST_P(SavedIndex, OtherFeaturesAreRefused) {
+  const TempFolder folder;
+  Eigen::MatrixXf features = SavedFeatures(60);
+  InstanceIndex(features, SavedMethod(GetParam())).Save(folder / "index");
+  const auto expect_refused = [&] {
+    ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, SavedMethod(GetParam())); },
+                     {"other features", "armature retrieve --build"});
+  };
+  features(3, 17) += 1e-6F;
+  expect_refused();
+  features = SavedFeatures(59);
+  expect_refused();
+  features = SavedFeatures(60).reshaped(10, 42);
+  expect_refused();
+}
+
+TEST(IndexFile, AnotherMethodOrOtherParametersAreRefused) {
+  const TempFolder folder;
+  const Eigen::MatrixXf features = SavedFeatures(60);
+  IndexMethod method = SavedMethod("kdtree");
+  InstanceIndex(features, method).Save(folder / "index");
+  const auto expect_refused = [&](const IndexMethod& other, const std::string& shown) {
+    ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, other); },
+                     {"another method", "kdtree trees=4 seed=1", shown});
+  };
+  expect_refused(SavedMethod("kmeans"), "kmeans");
+  IndexMethod other = method;
+  other.trees = 5;
+  expect_refused(other, "trees=5");
+  other = method;
+  other.seed = 2;
+  expect_refused(other, "seed=2");
+  method.checks = 7;  // not of the structure
+  EXPECT_NO_THROW(InstanceIndex::Load(folder / "index", features, method));
+}
+
+TEST(IndexFile, AnotherVersionIsRefused) {
+  const TempFolder folder;
+  const Eigen::MatrixXf features = SavedFeatures(6);
+  InstanceIndex(features, {}).Save(folder / "index");
+  std::string content = ReadFile(folder / "index");
+  content.replace(content.find(" 1,"), 3, " 2,");
+  folder.Write("index", content);
+  ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, {}); },
+                   {"another version", "armature-index 2"});
+}
+
+TEST(IndexFile, AMissingOneIsNamed) {
+  const TempFolder folder;
+  ExpectInputError([&] { InstanceIndex::Load(folder / "none", SavedFeatures(6), {}); }, {"none", "exists"});
+}
+
+TEST(IndexFile, AFolderThatIsNotThereIsAnError) {
+  const TempFolder folder;
+  EXPECT_THROW(InstanceIndex(SavedFeatures(6), {}).Save(folder / "none/index"), std::runtime_error);
+}
+
+TEST(InstanceIndex, RefusesParametersOutOfRange) {
+  const auto expect_refused = [](auto change, const std::vector<std::string>& shown) {
+    IndexMethod method;
+    change(method);
+    ExpectInputError([&] { InstanceIndex(SavedFeatures(6), method); }, shown);
+  };
+  expect_refused([](IndexMethod& m) { m.name = "kdtre"; }, {"'kdtre'", "'kdtree'"});
+  expect_refused([](IndexMethod& m) { m.leaf_size = 0; }, {"leaf_size 0", "1 or more"});
+  expect_refused([](IndexMethod& m) { m.trees = 0; }, {"trees 0"});
+  expect_refused([](IndexMethod& m) { m.branching = 1; }, {"branching 1", "2 or more"});
+  expect_refused([](IndexMethod& m) { m.iterations = 0; }, {"iterations 0"});
+  expect_refused([](IndexMethod& m) { m.checks = 0; }, {"checks 0"});
+}
+
+TEST(InstanceIndex, MistakesOfTheCallerAreLoud) {
+  const InstanceIndex index(SavedFeatures(6), {});
+  EXPECT_THROW(index.Nearest(Eigen::VectorXf::Zero(6), 5), std::invalid_argument);
+  EXPECT_THROW(index.Within(Eigen::VectorXf::Zero(8), 5), std::invalid_argument);
+  EXPECT_THROW(index.Nearest(Eigen::VectorXf::Zero(7), 0), std::invalid_argument);
+  EXPECT_THROW(InstanceIndex(Eigen::MatrixXf(0, 3), {}), std::invalid_argument);
+  EXPECT_THROW(InstanceIndex(Eigen::MatrixXf::Constant(2, 3, NAN), {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace armature
