@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The annotated edges of the CAD models that a sequence's objects are made of. For evaluation only.
+// The CAD models that a sequence's objects are made of. For evaluation only.
 #pragma once
 
 #include <filesystem>
@@ -8,29 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "category/category_model.h"
+#include "category/cad_model.h"
 #include "eval/ground_truth.h"
 
 namespace armature {
-
-// A CAD model's edges and bounding box in the axes of the object frame, unit and origin of the annotations.
-struct CadModel {
-  Wireframe wireframe;
-  Eigen::Vector3d box_min{0, 0, 0}, box_max{0, 0, 0};
-};
 
 class CadLibrary {
  public:
   // Without any model: no object has known edges.
   CadLibrary() = default;
 
-  // Reads what is there of (file: instances, format):
-  //   keypointnet_chair_kp10.csv:       keypointnet:MODEL_ID       boxes in keypointnet_chair_boxes.txt
-  //   shapeassembly_table_kp12.csv:     shapeassembly:ANNO_ID      boxes in shapeassembly_table_boxes.txt
-  //   modelnet40_laptop_autokp6.csv:    modelnet40:FILE
-  //   instances.csv:                    armature:ID                see generated_cad.h
-  // A model without boxes takes its annotated edges' bounding box. Throws InputError: none of the files
-  // exists, or one is malformed. Categories without specification are left out.
+  // The models of a folder, see io/cad_folder.h. Throws InputError as ReadCadFolder.
   CadLibrary(const std::filesystem::path& folder, const std::vector<CategorySpec>& specs);
 
   // The object's own edges in its frame, metres: scaled along each axis so that the CAD model's bounding box

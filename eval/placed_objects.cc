@@ -33,18 +33,6 @@ int ReadObservationCount(const CsvRow& row) {
   return count;
 }
 
-// "0.1;-0.3"; nothing: no coefficients.
-std::vector<double> ReadShape(const CsvRow& row) {
-  std::vector<double> shape;
-  std::string rest = row.Text("shape");
-  while (!rest.empty()) {
-    const size_t end = rest.find(';');
-    shape.push_back(ParseNumber(rest.substr(0, end), row.At("column 'shape'")));
-    rest = end == std::string::npos ? "" : rest.substr(end + 1);
-  }
-  return shape;
-}
-
 }  // namespace
 
 std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
@@ -54,7 +42,7 @@ std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
   std::set<std::string> ids;
   for (const CsvRow& row : table.rows()) {
     objects.push_back({ReadId(row, ids), row.Text("category"), row.Text("instance"), ReadPose(row),
-                       ReadSize(row), ReadObservationCount(row), ReadShape(row)});
+                       ReadSize(row), ReadObservationCount(row), ParseNumbers(row.Text("shape"), row.At("column 'shape'"))});
   }
   return objects;
 }

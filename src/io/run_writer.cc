@@ -6,6 +6,7 @@
 #include <set>
 
 #include "io/number_format.h"
+#include "io/shape_evidence_csv.h"
 
 namespace armature {
 namespace {
@@ -90,6 +91,7 @@ void RunWriter::WriteMaps(const Map& map, const Map& by_odometry) {
   WriteTumTrajectory(File("odometry_scaled.txt"), TrajectoryOf(by_odometry));
   WriteFile(File("objects.csv"), ObjectsText(map.objects));
   WriteFile(File("objects_odometry.csv"), ObjectsText(by_odometry.objects));
+  WriteFile(File("shape_evidence.csv"), ShapeEvidenceText(map.objects));
   size_t camera = 0;
   for (ObservationRow& row : observations_) {
     while (camera < map.timestamps.size() && map.timestamps[camera] < row.timestamp) ++camera;

@@ -80,6 +80,16 @@ double ParseNumber(const std::string& text, const std::string& where) {
   return value;
 }
 
+std::vector<double> ParseNumbers(const std::string& text, const std::string& where) {
+  std::vector<double> numbers;
+  for (size_t start = 0; start < text.size();) {
+    const size_t end = std::min(text.find(';', start), text.size());
+    numbers.push_back(ParseNumber(text.substr(start, end - start), where));
+    start = end + 1;
+  }
+  return numbers;
+}
+
 int ParseInteger(const std::string& text, const std::string& where) {
   const double value = ParseNumber(text, where);
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {

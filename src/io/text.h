@@ -29,6 +29,9 @@ std::string Quoted(const std::string& text);
 // A finite number from the whole of the text; throws InputError("`where`: ...") otherwise.
 double ParseNumber(const std::string& text, const std::string& where);
 
+// Numbers with `;` between them; nothing: none. As ParseNumber.
+std::vector<double> ParseNumbers(const std::string& text, const std::string& where);
+
 // A whole number that fits an int, as ParseNumber.
 int ParseInteger(const std::string& text, const std::string& where);
 

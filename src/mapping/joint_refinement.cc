@@ -40,9 +40,10 @@ std::vector<std::vector<ImageFace>> FacesOf(const MapGraph& graph, const std::ve
   return faces;
 }
 
-// What hides one object: the faces of all others.
-std::vector<ImageFace> Occluders(const std::vector<std::vector<ImageFace>>& faces, size_t object) {
-  std::vector<ImageFace> others;
+// What hides one object: the faces of all others, and what its view has besides.
+std::vector<ImageFace> Occluders(const std::vector<std::vector<ImageFace>>& faces, size_t object,
+                                 const ObjectView& view) {
+  std::vector<ImageFace> others = view.occluders;
   for (size_t o = 0; o < faces.size(); ++o) {
     if (o != object) others.insert(others.end(), faces[o].begin(), faces[o].end());
   }
@@ -102,8 +103,10 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
       if (phi[i][j] < 0) continue;
       const auto object = static_cast<size_t>(phi[i][j]);
-      std::optional<ObjectFactor> factor = FactorOf(frames[i].observations[j], seen[object],
-                                                    Occluders(faces, object), gate, box, resection, options);
+      const MapObservation& observation = frames[i].observations[j];
+      std::optional<ObjectFactor> factor =
+          FactorOf(observation, seen[object], Occluders(faces, object, observation.view), gate, box,
+                   resection, options);
       if (!factor) continue;
       factor->camera = static_cast<int>(i);
       factor->object = phi[i][j];

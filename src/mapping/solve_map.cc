@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/solve_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -8,6 +9,8 @@
 
 namespace armature {
 namespace {
+
+constexpr double kLeastScaleSigma = 0.005;  // of the map's scale: models of furniture are no surer than this
 
 // Without loop closure, only objects seen within these seconds are candidates.
 std::optional<double> SecondsBetween(const MappingOptions& options) {
@@ -77,7 +80,9 @@ void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const Re
 }
 
 // Objects that enough observations support, numbered in the order in which they are first seen.
-void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, int min_observations, Map& map) {
+void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, const MappingOptions& options,
+                  Map& map) {
+  const double scale_sigma = std::max(map.scale_sigma.value_or(0), kLeastScaleSigma);
   std::vector<int> observations(graph.objects.size(), 0);
   for (const ObjectFactor& factor : graph.observations) ++observations[static_cast<size_t>(factor.object)];
   std::vector<int> kept(graph.objects.size(), -1);
@@ -87,13 +92,14 @@ void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, int min
     for (size_t j = 0; j < of_frame.size(); ++j) {
       if (of_frame[j] < 0) continue;
       const auto o = static_cast<size_t>(of_frame[j]);
-      if (observations[o] < min_observations) continue;
+      if (observations[o] < options.min_observations) continue;
       if (kept[o] < 0) {
         kept[o] = static_cast<int>(map.objects.size());
         const GraphObject& object = graph.objects[o];
         const std::string& category = object.model->spec.name;
         map.objects.push_back({category + std::to_string(numbers[category]++), object.model,
-                               object.T_world_object, object.coefficients, observations[o]});
+                               object.T_world_object, object.coefficients, observations[o],
+                               EvidenceOfShape(graph, of_frame[j], scale_sigma, options.solver)});
       }
       map.phi.back()[j] = kept[o];
     }
@@ -109,12 +115,13 @@ void Anchor(const Eigen::Isometry3d& T_odom_camera, Map& map) {
 }
 
 Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const ObjectOfObservation& phi,
-          int min_observations) {
+          const MappingOptions& options) {
   Map map;
   for (const MapFrame& frame : frames) map.timestamps.push_back(frame.timestamp);
   map.T_world_camera = graph.T_world_camera;
   map.log_scale = graph.log_scale;
-  StoreObjects(graph, phi, min_observations, map);
+  if (options.refinement.rounds > 0) map.scale_sigma = ScaleSigma(graph, options.solver);
+  StoreObjects(graph, phi, options, map);
   Anchor(frames.front().T_odom_camera, map);
   return map;
 }
@@ -156,9 +163,7 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
   AddObjects(frames, phi, options.view_noise, graph);
   JoinWhileSolving(frames, options, graph, phi);
   Refine(frames, box, resection, options, graph, phi);
-  Map map = ToMap(frames, graph, phi, options.min_observations);
-  if (options.refinement.rounds > 0) map.scale_sigma = ScaleSigma(graph, options.solver);
-  return map;
+  return ToMap(frames, graph, phi, options);
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {

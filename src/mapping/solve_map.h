@@ -13,6 +13,7 @@
 #include "mapping/map_objects.h"
 #include "mapping/map_solver.h"
 #include "mapping/object_association.h"
+#include "mapping/shape_evidence.h"
 
 namespace armature {
 
@@ -37,7 +38,8 @@ struct MapObject {
   const CategoryModel* model = nullptr;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
   Eigen::VectorXd coefficients;                                      // standard deviations
-  int observations = 0;  // detections that the map explains with it
+  int observations = 0;    // detections that the map explains with it
+  ShapeEvidence evidence;  // of the shape, without the category's prior; of placed by odometry: the map's
 
   // Along the object's axes, padding included, metres.
   Eigen::Vector3d Size() const;

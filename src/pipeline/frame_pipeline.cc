@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "geometry/rotation.h"
-#include "lines/selection.h"
 #include "pipeline/object_estimator.h"
+#include "pipeline/object_views.h"
 #include "pipeline/stage_clock.h"
 
 namespace armature {
@@ -88,7 +88,8 @@ FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given)
 std::vector<ObjectView> FramePipeline::ViewsOf(const FrameInput& input, const FrameResult& frame) const {
   std::vector<ObjectView> views;
   for (const Detection& detection : input.detections) {
-    views.push_back(ViewOf(detection, frame.segments, frame.up_camera));
+    views.push_back(
+        ViewOf(detection, frame.segments, frame.up_camera, camera_, ModelOf(detection), options_));
     views.back().floor = frame.floor;
   }
   MarkHiddenSides(views);
@@ -223,22 +224,6 @@ void FramePipeline::LearnUp(const FrameResult& result, const std::vector<ObjectE
     if (const auto vote = VoteOf(result.observations[i].detection, t, sigma_deg)) votes.push_back(*vote);
   }
   up_estimator_.ReviseVotes(votes);
-}
-
-ObjectView FramePipeline::ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                                 const Eigen::Vector3d& up_camera) const {
-  ObjectView view;
-  view.camera = &camera_;
-  view.model = &ModelOf(detection);
-  view.detection = detection;
-  view.detection.box = UndistortBox(camera_, detection.box);
-  const Box& box = view.detection.box;
-  view.sides = SidesAtImageBorder(box, camera_, options_.association.box.cut_tolerance);
-  const double margin = options_.lines.box_margin * std::max(box.width, box.height);
-  view.segments = SegmentsInBox(segments, box.Grown(margin), options_.lines.min_length,
-                                options_.association.max_segments);
-  view.up_camera = up_camera;
-  return view;
 }
 
 const CategoryModel& FramePipeline::ModelOf(const Detection& detection) const {

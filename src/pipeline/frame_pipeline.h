@@ -67,8 +67,6 @@ class FramePipeline {
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
   void LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations);
   std::vector<ObjectView> ViewsOf(const FrameInput& input, const FrameResult& frame) const;
-  ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                    const Eigen::Vector3d& up_camera) const;
   // The track of each view, -1: none; gives the views what their tracks remember, if that is wanted.
   std::vector<int> Recall(const FrameInput& input, std::vector<ObjectView>& views) const;
   // Large furniture first: what is found hides what is behind it.

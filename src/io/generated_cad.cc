@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/generated_cad.h"
+#include "io/generated_cad.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "io/annotations.h"
 #include "io/csv.h"
@@ -57,20 +59,29 @@ Eigen::Vector3d SizeOf(const CsvRow& row) {
 
 }  // namespace
 
-std::map<std::string, CadModel> ReadGeneratedCad(const fs::path& folder,
-                                                 const std::vector<CategorySpec>& specs) {
-  std::map<std::string, CadModel> models;
+std::vector<CadModel> ReadGeneratedCad(const fs::path& folder, const std::vector<CategorySpec>& specs) {
+  std::vector<CadModel> models;
   if (!fs::exists(folder / "instances.csv")) return models;
   EdgeFiles edges(folder);
+  std::set<std::string> ids;
   const CsvTable table(folder / "instances.csv",
-                       {"id", "category", "held_out", "size_x", "size_y", "size_z"});
+                       {"id", "category", "held_out", "size_x", "size_y", "size_z", "mesh"});
   for (const CsvRow& row : table.rows()) {
     const auto spec = std::find_if(specs.begin(), specs.end(),
                                    [&](const CategorySpec& s) { return s.name == row.Text("category"); });
     if (spec == specs.end()) continue;
     const Eigen::Vector3d half = SizeOf(row) / 2;
-    const CadModel model{edges.EdgesOf(row, *spec, IsHeldOut(row)), -half, half};
-    if (!models.emplace("armature:" + row.Text("id"), model).second)
+    const bool held_out = IsHeldOut(row);
+    models.push_back({.instance = "armature:" + row.Text("id"),
+                      .category = spec->name,
+                      .held_out = held_out,
+                      .metric = true,
+                      .wireframe = edges.EdgesOf(row, *spec, held_out),
+                      .box_min = -half,
+                      .box_max = half,
+                      .geometry = row.Text("mesh"),
+                      .T_annotation_geometry = Eigen::Affine3d::Identity()});
+    if (!ids.insert(row.Text("id")).second)
       throw InputError(row.At(fmt::format("'{}' is there twice; keep one row", row.Text("id"))));
   }
   return models;

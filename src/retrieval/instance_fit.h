@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well one CAD model explains the images in which an object was seen: its own edges, projected.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "association/hypothesis_cost.h"
+#include "category/category_model.h"
+#include "mapping/joint_refinement.h"
+#include "mapping/map_frame.h"
+#include "mapping/map_solver.h"
+
+namespace armature {
+
+// What the images show of one object of the map.
+struct ObjectSightings {
+  // One observation each; its view's occluders are the faces of the map's other objects.
+  std::vector<MapFrame> frames;
+  std::vector<Eigen::Isometry3d> T_world_camera;                     // metres, one a frame; they are held
+  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // where the map has the object, metres
+  Eigen::Vector3d up_world{0, -1, 0};                                // unit
+};
+
+struct InstanceFitOptions {
+  double size_sigma = 0.02;  // of the logarithm of the map's scale, in which a model of known size may err
+  RefinementOptions refinement{.rounds = 4, .first_gate_pixels = 10, .last_gate_pixels = 3};
+  double score_gate_pixels = 4;  // of the matches that count in the end
+  BoxOptions box;
+  ResectionOptions resection;
+  MapSolverOptions solver;
+  CostOptions cost;
+};
+
+struct InstanceFit {
+  double cost =
+      0;  // mean over the views: unexplained share of the visible edges, and the box; see CostOptions
+  Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // where it fits best, metres
+  double scale = 1;                                                  // of the model
+};
+
+// A CAD model as a category model with one mode: its size.
+CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wireframe, double size_sigma);
+
+// Fits the model's edges (object frame, centred, metres) to all frames' lines and boxes from where the map
+// has the object, as the map's joint refinement does, and measures what they explain there.
+InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& spec,
+                        const Wireframe& wireframe, const InstanceFitOptions& options);
+
+}  // namespace armature

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "retrieval/shape_distance.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace armature {
+namespace {
+
+Eigen::Index Kept(Eigen::Index modes, const FeatureOptions& options) {
+  return options.modes > 0 ? std::min<Eigen::Index>(modes, options.modes) : modes;
+}
+
+// The quadratic form of a query's metric about its mean: weight = L L^T, both of the kept modes.
+struct Metric {
+  Eigen::MatrixXd weight;
+  Eigen::VectorXd mean;
+};
+
+// In the eigenvectors of the information each direction is on its own: the variance 1/l gets sigma^2 more. A
+// direction with next to no information has no mean either.
+Metric MetricOf(const ShapeEvidence& evidence, double sigma, Eigen::Index modes) {
+  constexpr double kLeastInformation = 1e-6;
+  const Eigen::Index all = evidence.information.rows(), rest = all - modes;
+  Eigen::MatrixXd information = evidence.information.topLeftCorner(modes, modes);
+  Eigen::VectorXd vector = evidence.vector.head(modes);
+  if (rest > 0) {  // marginal over the later modes
+    Eigen::MatrixXd later = evidence.information.bottomRightCorner(rest, rest);
+    later.diagonal().array() += kLeastInformation;
+    const Eigen::MatrixXd gain = later.llt().solve(evidence.information.bottomLeftCorner(rest, modes));
+    information -= evidence.information.topRightCorner(modes, rest) * gain;
+    vector -= gain.transpose() * evidence.vector.tail(rest);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+  const Eigen::ArrayXd l = eigen.eigenvalues().array().max(0);
+  const Eigen::ArrayXd weights = l / (1 + sigma * sigma * l);
+  const Eigen::ArrayXd along = (eigen.eigenvectors().transpose() * vector).array();
+  const Eigen::VectorXd mean = (l > kLeastInformation).select(along / l.max(kLeastInformation), 0).matrix();
+  return {eigen.eigenvectors() * weights.matrix().asDiagonal() * eigen.eigenvectors().transpose(),
+          eigen.eigenvectors() * mean};
+}
+
+}  // namespace
+
+Eigen::MatrixXf Features(const CategoryInstances& instances, const Eigen::VectorXd& standard_deviations,
+                         const FeatureOptions& options) {
+  const Eigen::Index modes = Kept(instances.coefficients.rows(), options), size = options.with_size ? 3 : 0;
+  const bool raw = options.space == "raw";
+  Eigen::MatrixXf features(modes + size, instances.coefficients.cols());
+  features.topRows(modes) = instances.coefficients.topRows(modes);
+  if (raw) features.topRows(modes).array().colwise() *= standard_deviations.head(modes).cast<float>().array();
+  if (options.with_size)
+    features.bottomRows<3>() = instances.sizes / (raw ? 1.0F : static_cast<float>(options.size_sigma));
+  return features;
+}
+
+Eigen::VectorXf FeaturesOf(const ShapeQuery& query, const Eigen::VectorXd& standard_deviations,
+                           const FeatureOptions& options) {
+  CategoryInstances alone;
+  alone.coefficients = query.coefficients.cast<float>();
+  alone.sizes = query.size.cast<float>();
+  return Features(alone, standard_deviations, options);
+}
+
+std::vector<Neighbour> Likeliest(const CategoryInstances& instances, const ShapeEvidence& evidence,
+                                 double sigma, int modes, int k) {
+  const Eigen::Index kept = Kept(instances.coefficients.rows(), {.modes = modes});
+  const Metric metric = MetricOf(evidence, sigma, kept);
+  std::vector<Neighbour> neighbours(static_cast<size_t>(instances.size()));
+  for (int i = 0; i < instances.size(); ++i) {
+    const Eigen::VectorXd d = instances.coefficients.col(i).head(kept).cast<double>() - metric.mean;
+    neighbours[static_cast<size_t>(i)] = {i, std::sqrt(std::max(0.0, d.dot(metric.weight * d)))};
+  }
+  const auto count = std::min(neighbours.size(), static_cast<size_t>(std::max(k, 0)));
+  const auto nearer = [](const Neighbour& a, const Neighbour& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.instance < b.instance;
+  };
+  std::partial_sort(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(count),
+                    neighbours.end(), nearer);
+  neighbours.resize(count);
+  return neighbours;
+}
+
+}  // namespace armature
