@@ -42,7 +42,8 @@ std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
   std::set<std::string> ids;
   for (const CsvRow& row : table.rows()) {
     objects.push_back({ReadId(row, ids), row.Text("category"), row.Text("instance"), ReadPose(row),
-                       ReadSize(row), ReadObservationCount(row), ParseNumbers(row.Text("shape"), row.At("column 'shape'"))});
+                       ReadSize(row), ReadObservationCount(row),
+                       ParseNumbers(row.Text("shape"), row.At("column 'shape'"))});
   }
   return objects;
 }

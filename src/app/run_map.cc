@@ -43,9 +43,10 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
     const auto of_shape = evidence.find(placed.id);
     if (static_cast<int>(placed.shape.size()) != model.modes() || of_shape == evidence.end() ||
         of_shape->second.vector.size() != model.modes()) {
-      throw InputError(fmt::format("{}: the shape of '{}' is not one of {} coefficients with its evidence; name "
-                                   "the models that the run was made with (--categories), or run it again",
-                                   file.string(), placed.id, model.modes()));
+      throw InputError(
+          fmt::format("{}: the shape of '{}' is not one of {} coefficients with its evidence; name "
+                      "the models that the run was made with (--categories), or run it again",
+                      file.string(), placed.id, model.modes()));
     }
     objects.push_back({placed.id, &model, placed.T_world_object,
                        Eigen::Map<const Eigen::VectorXd>(placed.shape.data(), model.modes()),
@@ -62,12 +63,13 @@ int IndexOf(const std::string& id, const std::vector<MapObject>& objects) {
 }
 
 size_t ImageAt(double timestamp, const Sequence& sequence) {
-  const auto image = std::find_if(sequence.images.begin(), sequence.images.end(), [&](const ImageEntry& entry) {
-    return std::abs(entry.timestamp - timestamp) < kSameStamp;
-  });
+  const auto image = std::find_if(
+      sequence.images.begin(), sequence.images.end(),
+      [&](const ImageEntry& entry) { return std::abs(entry.timestamp - timestamp) < kSameStamp; });
   if (image != sequence.images.end()) return static_cast<size_t>(image - sequence.images.begin());
-  throw InputError(fmt::format("{}: has no image at {:.6f} s, where the run has a camera; name the run's sequence",
-                               sequence.folder.string(), timestamp));
+  throw InputError(
+      fmt::format("{}: has no image at {:.6f} s, where the run has a camera; name the run's sequence",
+                  sequence.folder.string(), timestamp));
 }
 
 }  // namespace
@@ -82,8 +84,8 @@ Map ReadRunMap(const fs::path& run, const std::vector<CategoryModel>& models) {
   }
   map.phi.resize(map.timestamps.size());
   for (const auto& [key, observation] : LoadRun(run).observations) {
-    const auto camera = std::lower_bound(map.timestamps.begin(), map.timestamps.end(),
-                                         observation.timestamp - kSameStamp);
+    const auto camera =
+        std::lower_bound(map.timestamps.begin(), map.timestamps.end(), observation.timestamp - kSameStamp);
     if (camera == map.timestamps.end() || *camera > observation.timestamp + kSameStamp) continue;
     std::vector<int>& phi = map.phi[static_cast<size_t>(camera - map.timestamps.begin())];
     phi.resize(std::max(phi.size(), static_cast<size_t>(observation.index) + 1), -1);
@@ -115,7 +117,8 @@ ViewsOfCameras ViewsOf(const Map& map, const std::vector<size_t>& cameras, const
     cv::cvtColor(*colour.image, gray, cv::COLOR_BGR2GRAY);
     std::vector<Box> boxes;
     for (const Detection& detection : sequence.detections[image]) boxes.push_back(detection.box);
-    const std::vector<Segment> segments = DetectSegments(*detector, gray, sequence.camera, boxes, options.lines);
+    const std::vector<Segment> segments =
+        DetectSegments(*detector, gray, sequence.camera, boxes, options.lines);
     const Eigen::Vector3d up_camera = map.T_world_camera[camera].linear().transpose() * up_world;
     for (const Detection& detection : sequence.detections[image]) {
       views[camera].push_back(ViewOf(detection, segments, up_camera, sequence.camera,

@@ -14,16 +14,17 @@
 
 namespace armature {
 
-// trajectory.txt, objects.csv, shape_evidence.csv and observations.csv. Objects point into `models`. A run without
-// map gives one without cameras. Throws InputError: a missing or malformed file, a category without model, a shape of
-// more coefficients than its category's model has.
+// trajectory.txt, objects.csv, shape_evidence.csv and observations.csv. Objects point into `models`. A run
+// without map gives one without cameras. Throws InputError: a missing or malformed file, a category without
+// model, a shape of more coefficients than its category's model has.
 Map ReadRunMap(const std::filesystem::path& run, const std::vector<CategoryModel>& models);
 
 // The options that the run had (config.yaml). Throws InputError: missing, malformed.
 Options ReadRunOptions(const std::filesystem::path& run);
 
-// What was detected in the images of these cameras, with the lines found anew. The sequence has to be the one of the
-// map. Throws InputError: an image that cannot be read, a camera of the map without image in the sequence.
+// What was detected in the images of these cameras, with the lines found anew. The sequence has to be the one
+// of the map. Throws InputError: an image that cannot be read, a camera of the map without image in the
+// sequence.
 ViewsOfCameras ViewsOf(const Map& map, const std::vector<size_t>& cameras, const Sequence& sequence,
                        const std::vector<CategoryModel>& models, const Options& options);
 

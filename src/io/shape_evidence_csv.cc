@@ -38,9 +38,10 @@ ShapeEvidence ReadRow(const CsvRow& row) {
   const std::vector<double> triangle = ParseNumbers(row.Text("information"), row.At("column 'information'"));
   const std::vector<double> vector = ParseNumbers(row.Text("vector"), row.At("column 'vector'"));
   if (triangle.size() != vector.size() * (vector.size() + 1) / 2) {
-    throw InputError(row.At(fmt::format("{} numbers of information do not go with {} of the vector; run "
-                                        "`armature run` again",
-                                        triangle.size(), vector.size())));
+    throw InputError(
+        row.At(fmt::format("{} numbers of information do not go with {} of the vector; run "
+                           "`armature run` again",
+                           triangle.size(), vector.size())));
   }
   const auto size = static_cast<Eigen::Index>(vector.size());
   return {Symmetric(triangle, size), Eigen::Map<const Eigen::VectorXd>(vector.data(), size)};

@@ -13,8 +13,8 @@ namespace armature {
 
 std::string ShapeEvidenceText(const std::vector<MapObject>& objects);
 
-// By the objects' ids. Throws InputError: missing or malformed file, an id twice, numbers that are no triangle or do
-// not fit together.
+// By the objects' ids. Throws InputError: missing or malformed file, an id twice, numbers that are no
+// triangle or do not fit together.
 std::map<std::string, ShapeEvidence> ReadShapeEvidence(const std::filesystem::path& file);
 
 }  // namespace armature

@@ -18,8 +18,8 @@ ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segmen
   const Box& box = view.detection.box;
   view.sides = SidesAtImageBorder(box, camera, options.association.box.cut_tolerance);
   const double margin = options.lines.box_margin * std::max(box.width, box.height);
-  view.segments = SegmentsInBox(segments, box.Grown(margin), options.lines.min_length,
-                                options.association.max_segments);
+  view.segments =
+      SegmentsInBox(segments, box.Grown(margin), options.lines.min_length, options.association.max_segments);
   view.up_camera = up_camera;
   return view;
 }

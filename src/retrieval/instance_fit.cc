@@ -62,7 +62,7 @@ InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& sp
   }
   const GraphObject& object = graph.objects.front();
   const Wireframe fitted = WireframeFromCoefficients(model, object.coefficients);
-  InstanceFit fit{0, object.T_world_object, 1 + options.size_sigma * object.coefficients(0)};
+  InstanceFit fit{0, object.T_world_object, 1 + sigma * object.coefficients(0)};
   for (size_t i = 0; i < frames.size(); ++i) {
     const PoseAndShape at{graph.T_world_camera[i].inverse() * object.T_world_object,
                           Eigen::VectorXd::Zero(1)};

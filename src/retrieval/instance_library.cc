@@ -38,11 +38,21 @@ void Store(const CategoryModel& model, const CadModel& cad, const ToMetres& to, 
   instances.coefficients.col(column) = CoefficientsFromWireframe(model, wireframe).cast<float>();
   instances.edges.col(column) = ShapeVector(wireframe).cast<float>();
   instances.sizes.col(column) = (to.scale * (cad.box_max - cad.box_min)).cast<float>();
+  instances.size_sigmas(column) = cad.metric ? 0 : static_cast<float>(kUnscaledSizeSigma);
   instances.geometries.push_back(cad.T_annotation_geometry ? cad.geometry : "");
   const Eigen::Affine3d T_object_annotation = Eigen::Scaling(to.scale) * Eigen::Translation3d(-to.centre);
   const Eigen::Affine3d T =
       T_object_annotation * cad.T_annotation_geometry.value_or(Eigen::Affine3d::Identity());
   instances.T_object_geometry.col(column) = T.affine().reshaped().cast<float>();
+}
+
+// Keeps the first columns.
+void Resize(Eigen::Index modes, Eigen::Index edges, Eigen::Index count, CategoryInstances& instances) {
+  instances.coefficients.conservativeResize(modes, count);
+  instances.sizes.conservativeResize(Eigen::NoChange, count);
+  instances.edges.conservativeResize(6 * edges, count);
+  instances.size_sigmas.conservativeResize(count);
+  instances.T_object_geometry.conservativeResize(Eigen::NoChange, count);
 }
 
 template <typename Matrix>
@@ -92,18 +102,12 @@ InstanceLibrary BuildLibrary(const std::vector<CategoryModel>& models, const std
     const auto count = std::count_if(cad.begin(), cad.end(),
                                      [&](const CadModel& c) { return c.category == model.spec.name; });
     CategoryInstances instances{.category = model.spec.name, .model_checksum = ModelChecksum(model)};
-    instances.coefficients.resize(model.modes(), count);
-    instances.sizes.resize(3, count);
-    instances.edges.resize(6 * model.spec.edges(), count);
-    instances.T_object_geometry.resize(12, count);
+    Resize(model.modes(), model.spec.edges(), count, instances);
     for (const CadModel& c : cad) {
       if (c.category != model.spec.name) continue;
       if (const auto to = MetresOf(model.spec, c)) Store(model, c, *to, instances.size(), instances);
     }
-    instances.coefficients.conservativeResize(Eigen::NoChange, instances.size());
-    instances.sizes.conservativeResize(Eigen::NoChange, instances.size());
-    instances.edges.conservativeResize(Eigen::NoChange, instances.size());
-    instances.T_object_geometry.conservativeResize(Eigen::NoChange, instances.size());
+    Resize(model.modes(), model.spec.edges(), instances.size(), instances);
     if (instances.size() > 0) library.categories.push_back(std::move(instances));
   }
   return library;
@@ -122,6 +126,7 @@ CategoryInstances Without(const CategoryInstances& instances, const std::vector<
   rest.coefficients = instances.coefficients(Eigen::all, kept);
   rest.sizes = instances.sizes(Eigen::all, kept);
   rest.edges = instances.edges(Eigen::all, kept);
+  rest.size_sigmas = instances.size_sigmas(kept);
   rest.T_object_geometry = instances.T_object_geometry(Eigen::all, kept);
   return rest;
 }

@@ -13,19 +13,25 @@
 
 namespace armature {
 
+// Seats of real chairs are 0.42 to 0.48 m high, and laptops differ more.
+constexpr double kUnscaledSizeSigma = 0.05;
+
 // The instances of one category, a column each. Numbers are floats: a library of a million instances fits
 // into memory and is read in a second.
 struct CategoryInstances {
   std::string category;
   std::uint64_t model_checksum = 0;  // of the category model that the coefficients are of, see ModelChecksum
-  std::vector<std::string> ids{};      // "armature:chair-0001"
+  std::vector<std::string> ids{};    // "armature:chair-0001"
   std::vector<std::string>
       geometries{};                // their surfaces: files relative to the root, see CadModel; empty: none
   Eigen::MatrixXf coefficients{};  // B x N, standard deviations
   Eigen::Matrix3Xf sizes{};        // of their bounding boxes, metres
   Eigen::MatrixXf edges{};         // 6m x N: their own wireframes as shape vectors, centred, metres
-  Eigen::Matrix<float, 12, Eigen::Dynamic> T_object_geometry{};  // 3 x 4, column by column: the surface to the
-                                                               // centred object frame, metres
+  // Of the logarithm of its size, known beforehand: 0 for models in metres, kUnscaledSizeSigma for those that
+  // were brought to metres by their category's reference.
+  Eigen::VectorXf size_sigmas{};
+  Eigen::Matrix<float, 12, Eigen::Dynamic> T_object_geometry{};  // 3 x 4, column by column: the surface to
+                                                                 // the centred object frame, metres
 
   int size() const { return static_cast<int>(ids.size()); }
   // -1: there is none of this id.

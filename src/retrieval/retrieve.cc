@@ -19,11 +19,13 @@ std::vector<Neighbour> InstanceRetrieval::Nearest(const ShapeQuery& query, int k
   return index_.Nearest(FeaturesOf(query, model_.standard_deviations, options_.features), k);
 }
 
-void InstanceRetrieval::Rerank(const ObjectSightings& sightings, std::vector<RetrievedInstance>& retrieved) const {
+void InstanceRetrieval::Rerank(const ObjectSightings& sightings,
+                               std::vector<RetrievedInstance>& retrieved) const {
   std::vector<std::pair<double, size_t>> order;
   for (size_t i = 0; i < retrieved.size(); ++i) {
     const Wireframe wireframe = instances_.WireframeOf(retrieved[i].instance);
-    retrieved[i].fit = FitInstance(sightings, model_.spec, wireframe, options_.fit);
+    retrieved[i].fit = FitInstance(sightings, model_.spec, wireframe,
+                                   instances_.size_sigmas(retrieved[i].instance), options_.fit);
     order.emplace_back(retrieved[i].fit->cost, i);
   }
   std::sort(order.begin(), order.end());

@@ -21,7 +21,7 @@ struct RetrievalOptions {
   bool covariance = true;        // weigh with the covariance of the estimated coefficients
   double evidence_sigma = 0.15;  // standard deviations: what that covariance does not know of
   bool rerank = true;            // order the nearest by how well their own edges explain the images
-  int candidates = 30;           // how many are re-ranked
+  int candidates = 200;          // how many are re-ranked, 1-2 ms each
   int views = 24;                // images at most, spread over those in which the object was seen
   InstanceFitOptions fit;
 };
