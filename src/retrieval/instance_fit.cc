@@ -49,8 +49,9 @@ CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wirefra
 }
 
 InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& spec,
-                        const Wireframe& wireframe, const InstanceFitOptions& options) {
-  const CategoryModel model = ModelOfInstance(spec, wireframe, options.size_sigma);
+                        const Wireframe& wireframe, double size_sigma, const InstanceFitOptions& options) {
+  const double sigma = std::hypot(size_sigma, options.size_sigma);
+  const CategoryModel model = ModelOfInstance(spec, wireframe, sigma);
   const std::vector<MapFrame> frames = FramesWith(model, sightings.frames);
   const ObjectOfObservation phi(frames.size(), {0});
   MapGraph graph = GraphOf(sightings, model);

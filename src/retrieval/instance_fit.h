@@ -46,6 +46,6 @@ CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wirefra
 // besides the map's) to all frames' lines and boxes from where the map has the object, as the map's joint
 // refinement does, and measures what they explain there.
 InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& spec,
-                        const Wireframe& wireframe, const InstanceFitOptions& options);
+                        const Wireframe& wireframe, double size_sigma, const InstanceFitOptions& options);
 
 }  // namespace armature
