@@ -5,12 +5,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "category/learn.h"
 #include "io/category_spec_yaml.h"
 #include "io/errors.h"
+#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -200,18 +200,7 @@ std::string CategoryText(const CategoryModel& model) {
 }
 
 void WriteCategory(const CategoryModel& model, const std::filesystem::path& file) {
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  std::filesystem::path aside = file;
-  aside += ".partial";
-  std::ofstream stream(aside, std::ios::binary);
-  stream << CategoryText(model);
-  stream.close();
-  if (stream) std::filesystem::rename(aside, file, error);
-  if (!stream || error) {
-    throw InputError(
-        fmt::format("{}: cannot be written; choose a folder that may be written", file.string()));
-  }
+  WriteWholeFile(file, CategoryText(model));
 }
 
 }  // namespace armature

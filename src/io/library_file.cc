@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/library_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "io/checksum.h"
+#include "io/errors.h"
+#include "io/text.h"
+#include "io/whole_file.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMagic = "armature library of instances\n";
+constexpr std::uint32_t kVersion = 1;
+constexpr const char* kRemedy = "build it again with 'armature retrieve --build'";
+
+[[noreturn]] void Refuse(const fs::path& file, const std::string& why) {
+  throw InputError(fmt::format("{}: {}; {}", file.string(), why, kRemedy));
+}
+
+// Numbers and texts one after the other; a text is its length and its bytes.
+class Bytes {
+ public:
+  template <typename Number>
+  void Add(Number number) {
+    AddRaw(&number, sizeof(number));
+  }
+  void Add(const std::string& text) {
+    Add(static_cast<std::uint64_t>(text.size()));
+    AddRaw(text.data(), text.size());
+  }
+  void Add(const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) Add(text);
+  }
+  template <typename Derived>
+  void AddFloats(const Eigen::PlainObjectBase<Derived>& matrix) {
+    AddRaw(matrix.data(), sizeof(float) * static_cast<size_t>(matrix.size()));
+  }
+  std::string& all() { return all_; }
+
+ private:
+  void AddRaw(const void* data, size_t size) { all_.append(static_cast<const char*>(data), size); }
+  std::string all_;
+};
+
+// Takes them back. The file's checksum is right when it is used, so what does not fit is a mistake of the
+// writer.
+class Reader {
+ public:
+  Reader(const fs::path& file, std::string_view rest) : file_(file), rest_(rest) {}
+
+  template <typename Number>
+  Number Take() {
+    Number number;
+    std::memcpy(&number, TakeRaw(sizeof(number)), sizeof(number));
+    return number;
+  }
+  std::string TakeText() {
+    const auto size = static_cast<size_t>(Take<std::uint64_t>());
+    return {TakeRaw(size), size};
+  }
+  std::vector<std::string> TakeTexts(Eigen::Index count) {
+    std::vector<std::string> texts(static_cast<size_t>(count));
+    for (std::string& text : texts) text = TakeText();
+    return texts;
+  }
+  template <typename Matrix>
+  void TakeFloats(Eigen::Index rows, Eigen::Index columns, Matrix& matrix) {
+    const size_t size = sizeof(float) * static_cast<size_t>(rows * columns);
+    const char* data = TakeRaw(size);
+    matrix.resize(rows, columns);
+    std::memcpy(matrix.data(), data, size);
+  }
+
+ private:
+  const char* TakeRaw(size_t size) {
+    if (size > rest_.size()) Refuse(file_, "is damaged");
+    const char* data = rest_.data();
+    rest_.remove_prefix(size);
+    return data;
+  }
+  const fs::path& file_;
+  std::string_view rest_;
+};
+
+void AddCategory(const CategoryInstances& instances, Bytes& bytes) {
+  bytes.Add(instances.category);
+  bytes.Add(instances.model_checksum);
+  bytes.Add(static_cast<std::int64_t>(instances.coefficients.rows()));
+  bytes.Add(static_cast<std::int64_t>(instances.edges.rows()));
+  bytes.Add(static_cast<std::int64_t>(instances.size()));
+  bytes.AddFloats(instances.coefficients);
+  bytes.AddFloats(instances.sizes);
+  bytes.AddFloats(instances.edges);
+  bytes.AddFloats(instances.size_sigmas);
+  bytes.AddFloats(instances.T_object_geometry);
+  bytes.Add(instances.ids);
+  bytes.Add(instances.geometries);
+}
+
+CategoryInstances TakeCategory(Reader& reader) {
+  CategoryInstances instances{.category = reader.TakeText()};
+  instances.model_checksum = reader.Take<std::uint64_t>();
+  const Eigen::Index modes = reader.Take<std::int64_t>(), rows = reader.Take<std::int64_t>(),
+                     count = reader.Take<std::int64_t>();
+  reader.TakeFloats(modes, count, instances.coefficients);
+  reader.TakeFloats(3, count, instances.sizes);
+  reader.TakeFloats(rows, count, instances.edges);
+  reader.TakeFloats(count, 1, instances.size_sigmas);
+  reader.TakeFloats(12, count, instances.T_object_geometry);
+  instances.ids = reader.TakeTexts(count);
+  instances.geometries = reader.TakeTexts(count);
+  return instances;
+}
+
+std::uint64_t SumOf(std::string_view bytes) { return Checksum(std::as_bytes(std::span(bytes))); }
+
+// What is between magic, version and checksum, once these are right.
+std::string_view Checked(const fs::path& file, std::string_view bytes) {
+  if (!bytes.starts_with(kMagic)) Refuse(file, "is not a library of instances");
+  const size_t start = kMagic.size() + sizeof(kVersion);
+  if (bytes.size() < start + sizeof(std::uint64_t)) Refuse(file, "is cut short");
+  Reader reader(file, bytes.substr(kMagic.size()));
+  if (const auto version = reader.Take<std::uint32_t>(); version != kVersion)
+    Refuse(file, fmt::format("is of version {}, not {}", version, kVersion));
+  const size_t end = bytes.size() - sizeof(std::uint64_t);
+  Reader sum(file, bytes.substr(end));
+  if (sum.Take<std::uint64_t>() != SumOf(bytes.substr(0, end))) Refuse(file, "is damaged or cut short");
+  return bytes.substr(start, end - start);
+}
+
+fs::path RelativeTo(const fs::path& folder, const fs::path& root) {
+  const fs::path relative =
+      fs::absolute(root).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+  return relative.empty() ? fs::absolute(root) : relative;
+}
+
+}  // namespace
+
+void WriteLibrary(const InstanceLibrary& library, const fs::path& file) {
+  Bytes bytes;
+  bytes.all() = kMagic;
+  bytes.Add(kVersion);
+  bytes.Add(RelativeTo(fs::absolute(file).parent_path(), library.root).string());
+  bytes.Add(static_cast<std::uint64_t>(library.categories.size()));
+  for (const CategoryInstances& instances : library.categories) AddCategory(instances, bytes);
+  bytes.Add(SumOf(bytes.all()));
+  WriteWholeFile(file, bytes.all());
+}
+
+InstanceLibrary ReadLibrary(const fs::path& file, const std::vector<CategoryModel>& models) {
+  const std::string content = ReadTextFile(file);
+  Reader reader(file, Checked(file, content));
+  InstanceLibrary library;
+  library.root = (fs::absolute(file).parent_path() / reader.TakeText()).lexically_normal();
+  const auto categories = reader.Take<std::uint64_t>();
+  for (std::uint64_t i = 0; i < categories; ++i) {
+    CategoryInstances instances = TakeCategory(reader);
+    const auto model = std::find_if(models.begin(), models.end(), [&](const CategoryModel& m) {
+      return m.spec.name == instances.category;
+    });
+    if (model == models.end()) continue;
+    if (instances.model_checksum != ModelChecksum(*model)) {
+      Refuse(file, fmt::format("its {}s are of another category model; name that with --categories, or else",
+                               instances.category));
+    }
+    library.categories.push_back(std::move(instances));
+  }
+  return library;
+}
+
+}  // namespace armature
