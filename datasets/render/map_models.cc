@@ -56,6 +56,10 @@ std::vector<PlacedMesh> MapBodies(const MapScene& scene, const MapGround& ground
     const SceneObject& object = scene.objects[i];
     bodies.push_back(BodyOf(object.cad, ObjectColour(scene, i), object.T_world_object));
   }
+  return bodies;
+}
+
+std::vector<PlacedMesh> MapPath(const MapScene& scene) {
   TriangleMesh balls, dots;
   for (const Eigen::Isometry3d& camera : SpacedCameras(scene.T_world_camera, kBallSpacing)) {
     Append(BallMesh(camera.translation(), kBallRadius), kCameraColour, balls);
@@ -63,9 +67,8 @@ std::vector<PlacedMesh> MapBodies(const MapScene& scene, const MapGround& ground
   for (const Vector3d& dot : PathDots(scene.T_world_camera, kDotSpacing)) {
     Append(BallMesh(dot, kDotRadius), kPathColour, dots);
   }
-  bodies.push_back(BodyOf(balls, kCameraColour, Eigen::Isometry3d::Identity()));
-  bodies.push_back(BodyOf(dots, kPathColour, Eigen::Isometry3d::Identity()));
-  return bodies;
+  const Eigen::Isometry3d in_world = Eigen::Isometry3d::Identity();
+  return {BodyOf(balls, kCameraColour, in_world), BodyOf(dots, kPathColour, in_world)};
 }
 
 std::vector<PlacedMesh> MapWireframes(const MapScene& scene) {

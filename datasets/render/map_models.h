@@ -9,11 +9,13 @@
 
 namespace armature {
 
-// Ground, CAD models, balls for the sampled cameras and dots along the trajectory. World frame, metres. The
-// ground comes first.
+// Ground, the first, and CAD models, which cast shadows. World frame, metres.
 std::vector<PlacedMesh> MapBodies(const MapScene& scene, const MapGround& ground);
 
-// The objects' wireframes as bars, which are drawn over the bodies.
+// Balls for the sampled cameras and dots along the trajectory.
+std::vector<PlacedMesh> MapPath(const MapScene& scene);
+
+// The objects' wireframes as bars.
 std::vector<PlacedMesh> MapWireframes(const MapScene& scene);
 
 // Points along the path, equally far from each other.

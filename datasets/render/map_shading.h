@@ -11,26 +11,33 @@ namespace armature {
 
 class MapShading {
  public:
-  explicit MapShading(std::vector<PlacedMesh> bodies, const MapGround& ground);
+  // `bodies` as MapBodies gives them.
+  MapShading(std::vector<PlacedMesh> bodies, const MapGround& ground);
 
   const RayScene& rays() const { return rays_; }
 
-  // sRGB, 0..1, of what a ray meets; `place`: in the unit square, another one for each ray of a pixel, so
-  // that few shadow rays for each are many for the pixel.
-  Colour ColourOf(const RayHit& hit, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                  const Eigen::Vector2d& place) const;
+  // Radiance of a surface without colour, about 1 where nothing shades it. `normal`: unit, on the lit side;
+  // `hash`: another one for each point.
+  double LightAt(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, std::uint32_t hash) const;
+
+  // Of the surface that a ray of this scene meets at the point; linear.
+  Colour ColourAt(const RayHit& hit, const Eigen::Vector3d& point) const;
 
  private:
-  Colour SurfaceColour(const RayHit& hit, const Eigen::Vector3d& point) const;
-  double LightAt(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
-                 const Eigen::Vector2d& place) const;
-
   RayScene rays_;
   MapGround ground_;
   Eigen::Vector3d to_lamp_world_;
+  std::vector<Eigen::Vector2d> places_;  // of the rays to lamp and sky, in the unit square
 };
 
-// The surface's normal on the side of the viewer.
+// Linear, of the material that a ray meets.
+Colour MaterialColour(const RayScene& rays, const RayHit& hit);
+
+// The surface's normal on the side that the direction comes from; world frame.
 Eigen::Vector3d FacingNormal(const RayScene& rays, const RayHit& hit, const Eigen::Vector3d& direction);
+
+// Between colours as they are picked and proportional to light, close enough to sRGB for a drawing.
+inline Colour LinearOf(const Colour& colour) { return colour.cwiseAbs2(); }
+inline Colour PickedOf(const Colour& linear) { return linear.cwiseMin(1).cwiseSqrt(); }
 
 }  // namespace armature

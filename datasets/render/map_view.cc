@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kElevation = 36 * kDegree;    // of the viewer above the horizon
+constexpr double kElevation = 41 * kDegree;    // of the viewer above the horizon
 constexpr double kFieldOfView = 30 * kDegree;  // horizontal
 constexpr double kFrame = 0.04;                // share of the picture that stays free on each side
 constexpr double kGroundMargin = 0.3;          // metres around everything
