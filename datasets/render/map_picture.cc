@@ -36,7 +36,7 @@ class PixelLight {
       if (known.mesh == hit.mesh && known.quad == hit.quad) return known.light;
     }
     const Vector3d normal = FacingNormal(shading_.rays(), hit, direction);
-    return known_.emplace_back(hit.mesh, hit.quad, shading_.LightAt(point, normal, hash_)).light;
+    return known_.emplace_back(Known{hit.mesh, hit.quad, shading_.LightAt(point, normal, hash_)}).light;
   }
 
  private:
@@ -102,7 +102,7 @@ class MapPainter {
 
   Colour SampleColour(const Sample& sample, PixelLight& light) const {
     const bool is_path = sample.path.mesh >= 0 && IsBefore(sample.path, sample.body, 0);
-    const Colour behind = is_path ? PathColour(sample) : BodyColour(sample, light);
+    Colour behind = is_path ? PathColour(sample) : BodyColour(sample, light);
     if (sample.wireframe.mesh < 0) return behind;
     const bool is_seen = IsBefore(sample.wireframe, sample.body, kOnSurface) &&
                          !(is_path && IsBefore(sample.path, sample.wireframe, 0));

@@ -22,7 +22,7 @@ constexpr double kLampRadius = 0.12;  // at a distance of 1
 constexpr double kSkyReach = 0.7;     // metres; what is further away hides nothing of the sky
 constexpr double kFar = 30;           // metres, to the lamp
 constexpr double kLift = 2e-3;        // metres that rays start above their surface
-constexpr int kLampRays = 16;         // as many to the sky; whole packets (ray_scene.h)
+constexpr size_t kLampRays = 16;      // as many to the sky; whole packets (ray_scene.h)
 const Vector3d kToLamp = Vector3d(-0.45, -0.35, 1).normalized();  // ground frame
 
 bool IsOnGridLine(double from_side) { return std::abs(from_side - std::round(from_side)) < kLineWidth / 2; }
@@ -58,7 +58,7 @@ MapShading::MapShading(std::vector<PlacedMesh> bodies, const MapGround& ground)
     : rays_(std::move(bodies)),
       ground_(ground),
       to_lamp_world_(ground.T_world_ground.linear() * kToLamp),
-      places_(SpreadPlaces(kLampRays)) {}
+      places_(SpreadPlaces(static_cast<int>(kLampRays))) {}
 
 Colour MapShading::ColourAt(const RayHit& hit, const Vector3d& point) const {
   if (hit.mesh > 0) return MaterialColour(rays_, hit);

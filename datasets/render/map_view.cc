@@ -25,8 +25,9 @@ Matrix3Xd PointsOf(const SceneObject& object) {
   const Eigen::Index cad = object.cad.vertices.cols(), edges = object.wireframe.edges();
   Matrix3Xd points = Matrix3Xd::Zero(3, std::max<Eigen::Index>(1, cad + 2 * edges));
   if (cad > 0) points.leftCols(cad) = object.cad.vertices;
+  Eigen::Index next = cad;
   for (int edge = 0; edge < edges; ++edge) {
-    for (int end = 0; end < 2; ++end) points.col(cad + 2 * edge + end) = object.wireframe.End(edge, end);
+    for (int end = 0; end < 2; ++end) points.col(next++) = object.wireframe.End(edge, end);
   }
   return object.T_world_object * points;
 }
