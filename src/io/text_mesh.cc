@@ -16,22 +16,22 @@
 namespace armature {
 namespace {
 
-using Fields = std::vector<std::string>;
+using Words = std::vector<std::string>;
 
-Fields Split(const std::string& text) {
+Words WordsOf(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
-// Three fields from `first` on are the coordinates.
-void AddVertex(const Fields& fields, size_t first, int line, MeshBuilder& mesh) {
-  if (fields.size() < first + 3) {
+// Three words from `first` on are the coordinates.
+void AddVertex(const Words& words, size_t first, int line, MeshBuilder& mesh) {
+  if (words.size() < first + 3) {
     throw InputError(fmt::format("{}: a vertex has {} numbers where x, y and z are needed", mesh.At(line),
-                                 fields.size() - first));
+                                 words.size() - first));
   }
   Eigen::Vector3d vertex;
   for (size_t i = 0; i < 3; ++i) {
-    vertex[static_cast<Eigen::Index>(i)] = ParseNumber(fields[first + i], mesh.At(line));
+    vertex[static_cast<Eigen::Index>(i)] = ParseNumber(words[first + i], mesh.At(line));
   }
   mesh.AddVertex(vertex, line);
 }
@@ -46,23 +46,23 @@ std::int64_t ObjCorner(const std::string& field, int line, const MeshBuilder& me
 }
 
 void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
-  const Fields fields = Split(line.text);
-  if (fields[0] == "v") return AddVertex(fields, 1, line.number, mesh);
-  if (fields[0] != "f") return;
+  const Words words = WordsOf(line.text);
+  if (words[0] == "v") return AddVertex(words, 1, line.number, mesh);
+  if (words[0] != "f") return;
   std::vector<std::int64_t> corners;
-  for (size_t i = 1; i < fields.size(); ++i) corners.push_back(ObjCorner(fields[i], line.number, mesh));
+  for (size_t i = 1; i < words.size(); ++i) corners.push_back(ObjCorner(words[i], line.number, mesh));
   mesh.AddPolygon(corners, line.number);
 }
 
 void AddOffFace(const TextLine& line, MeshBuilder& mesh) {
-  const Fields fields = Split(line.text);
+  const Words words = WordsOf(line.text);
   const std::string where = mesh.At(line.number);
-  const int count = ParseInteger(fields[0], where);
-  if (count < 0 || fields.size() - 1 < static_cast<size_t>(count)) {
-    throw InputError(fmt::format("{}: a face says {} corners and names {}", where, count, fields.size() - 1));
+  const int count = ParseInteger(words[0], where);
+  if (count < 0 || words.size() - 1 < static_cast<size_t>(count)) {
+    throw InputError(fmt::format("{}: a face says {} corners and names {}", where, count, words.size() - 1));
   }
   std::vector<std::int64_t> corners;
-  for (size_t i = 1; i <= static_cast<size_t>(count); ++i) corners.push_back(ParseInteger(fields[i], where));
+  for (size_t i = 1; i <= static_cast<size_t>(count); ++i) corners.push_back(ParseInteger(words[i], where));
   mesh.AddPolygon(corners, line.number);
 }
 
@@ -80,7 +80,7 @@ OffCounts ReadOffCounts(const std::filesystem::path& file, const std::vector<Tex
   const size_t head = rest.empty() ? 2 : 1;
   if (lines.size() < head) throw InputError(fmt::format("{}: ends after OFF; copy it again", file.string()));
   const std::string where = fmt::format("{}:{}", file.string(), lines[head - 1].number);
-  const Fields counts = Split(rest.empty() ? lines[1].text : rest);
+  const Words counts = WordsOf(rest.empty() ? lines[1].text : rest);
   const int vertices = ParseInteger(counts[0], where);
   const int faces = counts.size() < 2 ? -1 : ParseInteger(counts[1], where);
   if (vertices < 0 || faces < 0) {
@@ -106,7 +106,7 @@ TriangleMesh ReadOff(const std::filesystem::path& file) {
   }
   MeshBuilder mesh(file);
   const TextLine* line = lines.data() + counts.lines;
-  for (size_t i = 0; i < counts.vertices; ++i, ++line) AddVertex(Split(line->text), 0, line->number, mesh);
+  for (size_t i = 0; i < counts.vertices; ++i, ++line) AddVertex(WordsOf(line->text), 0, line->number, mesh);
   for (size_t i = 0; i < counts.faces; ++i, ++line) AddOffFace(*line, mesh);
   return mesh.Build();
 }

@@ -9,7 +9,7 @@
 
 #include "io/errors.h"
 #include "io/nearest_name.h"
-#include "retrieval/index_file.h"
+#include "io/index_file.h"
 #include "retrieval/neighbour_sets.h"
 #include "retrieval/seeded_flann.h"
 

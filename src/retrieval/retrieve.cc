@@ -6,12 +6,14 @@
 
 namespace armature {
 
+InstanceIndex BuildIndex(const CategoryModel& model, const CategoryInstances& instances,
+                         const RetrievalOptions& options) {
+  return {Features(instances, model.standard_deviations, options.features), options.index};
+}
+
 InstanceRetrieval::InstanceRetrieval(const CategoryModel& model, const CategoryInstances& instances,
-                                     const RetrievalOptions& options)
-    : model_(model),
-      instances_(instances),
-      options_(options),
-      index_(Features(instances, model.standard_deviations, options.features), options.index) {}
+                                     const RetrievalOptions& options, InstanceIndex index)
+    : model_(model), instances_(instances), options_(options), index_(std::move(index)) {}
 
 std::vector<Neighbour> InstanceRetrieval::Nearest(const ShapeQuery& query, int k) const {
   if (options_.covariance && query.evidence)

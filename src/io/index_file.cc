@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "retrieval/index_file.h"
+#include "io/index_file.h"
 
 #include <flann/config.h>
 #include <fmt/format.h>
 
-#include <fstream>
-#include <stdexcept>
 
 #include "io/checksum.h"
 #include "io/errors.h"
 #include "io/text.h"
+#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -57,19 +56,10 @@ void CheckVersion(const fs::path& file, std::string_view line) {
 
 void WriteIndexFile(const fs::path& file, const std::string& method, const Eigen::MatrixXf& features,
                     const std::string& payload) {
-  fs::path aside = file;
-  aside += ".partial";
-  std::ofstream stream(aside, std::ios::binary);
+  std::string content;
   for (const std::string& line : {kVersion, MethodLine(method), FeaturesLine(features), PayloadLine(payload)})
-    stream << line << '\n';
-  stream << payload;
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(aside, file, error);
-  if (stream && !error) return;
-  fs::remove(aside, error);
-  throw std::runtime_error(file.string() +
-                           ": cannot be written; is its folder there, and the disk not full?");
+    content += line + '\n';
+  WriteWholeFile(file, content + payload);
 }
 
 std::string ReadIndexFile(const fs::path& file, const std::string& method, const Eigen::MatrixXf& features) {
