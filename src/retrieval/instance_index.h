@@ -72,4 +72,7 @@ class InstanceIndex {
 // linear, kdtree_single, kdtree, kmeans
 const std::vector<std::string>& IndexMethodNames();
 
+// Whether it finds the nearest, and not only near ones.
+bool IsExact(const IndexMethod& method);
+
 }  // namespace armature
