@@ -64,11 +64,11 @@ std::vector<Cell> IndexRow(size_t instances, const std::string& contender, const
                            double recall, const SpanStatistics& query) {
   return {CountCell(static_cast<long>(instances)),
           TextCell(contender),
-          NumberCell(costs.build_ms, 1),
-          NumberCell(costs.save_ms, 1),
-          NumberCell(costs.load_ms, 1),
-          NumberCell(costs.memory_mb, 1),
-          NumberCell(costs.file_mb, 1),
+          NumberCell(costs.build_ms, 2),
+          NumberCell(costs.save_ms, 2),
+          NumberCell(costs.load_ms, 2),
+          NumberCell(costs.memory_mb, 2),
+          NumberCell(costs.file_mb, 2),
           NumberCell(recall, 4),
           CountCell(static_cast<long>(query.n)),
           NumberCell(1000 * query.median, 1),
@@ -88,9 +88,11 @@ void MeasureMethod(const IndexMethod& method, const RetrievalTask& task, SavedSt
   }
   const SpanStatistics query = StatisticsOf(std::move(milliseconds)).value();
   section.spans.push_back({section.name, "", sized, "query", query});
-  CurveOf(contender, section).points.push_back({static_cast<double>(task.instances()), query});
-  section.tables[0].rows.push_back(
-      IndexRow(task.instances(), contender, structure.costs(), Recall(answers, task.truth), query));
+  const double recall = Recall(answers, task.truth);
+  BenchSeries& curve = CurveOf(contender, section);
+  curve.points.push_back({static_cast<double>(task.instances()), query});
+  curve.remark = fmt::format(" ({:.2f})", recall);
+  section.tables[0].rows.push_back(IndexRow(task.instances(), contender, structure.costs(), recall, query));
 }
 
 void AddCalibration(BenchSection& section) {
