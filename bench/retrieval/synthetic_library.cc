@@ -33,8 +33,10 @@ SyntheticLibrary MakeSyntheticLibrary(Eigen::Index instances, Eigen::Index queri
     const double share = random.Uniform(0, 1);
     instance += families.col(static_cast<Eigen::Index>(share * share * kFamilies));
   }
-  for (auto query : library.queries.colwise())
-    query += library.features.col(static_cast<Eigen::Index>(random.Uniform(0, 1) * double(instances)));
+  for (auto query : library.queries.colwise()) {
+    const double instance = random.Uniform(0, static_cast<double>(instances));
+    query += library.features.col(static_cast<Eigen::Index>(instance));
+  }
   return library;
 }
 
