@@ -55,7 +55,7 @@ TEST(RetrievalSection, HasASpanARowAndACurveAMethod) {
   for (const BenchSeries& series : section.series) {
     ASSERT_EQ(series.points.size(), 2u) << series.contender;
     EXPECT_EQ(series.points[1].x, 20);
-    EXPECT_EQ(series.remark, " (1.00)");
+    EXPECT_EQ(series.remark, " (1.000)");
   }
 }
 

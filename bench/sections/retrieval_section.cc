@@ -91,7 +91,7 @@ void MeasureMethod(const IndexMethod& method, const RetrievalTask& task, SavedSt
   const double recall = Recall(answers, task.truth);
   BenchSeries& curve = CurveOf(contender, section);
   curve.points.push_back({static_cast<double>(task.instances()), query});
-  curve.remark = fmt::format(" ({:.2f})", recall);
+  curve.remark = fmt::format(" ({:.3f})", recall);
   section.tables[0].rows.push_back(IndexRow(task.instances(), contender, structure.costs(), recall, query));
 }
 
