@@ -23,6 +23,7 @@ struct BenchSeries {
   };
   std::vector<Point> points{};  // by growing x
   std::optional<LineFit> fit{};
+  std::string remark{};  // beside its name in a picture: what the time buys
 };
 
 // One kind of measurement on one sequence, or on none.

@@ -102,6 +102,15 @@ TEST(BenchCommand, MicroBenchmarksNeedNoSequence) {
   EXPECT_GT(json["calibration_ms"]["median"], 0);
 }
 
+TEST(BenchCommand, RetrievalNeedsNoSequence) {
+  const auto result = RunOk({"bench", "--tables", "retrieval", "--retrieval-sizes", "200,20", "--json"});
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["tables"][0]["rows"].size(), 16u);
+  EXPECT_EQ(json["tables"][0]["rows"][0]["instances"], 20);
+  EXPECT_EQ(json["tables"][0]["rows"][15]["instances"], 200);
+  EXPECT_EQ(json["settings"]["retrieval_sizes"], (std::vector<std::string>{"200", "20"}));
+}
+
 TEST(BenchCommand, PlotsNeedGnuplotBeforeAnythingIsMeasured) {
   const TempFolder folder;
   WriteTinySequence(folder);
@@ -134,7 +143,9 @@ TEST(BenchCommand, BadInput) {
                  {"second sequence", "tiny"});
   ExpectBadInput({"bench", sequence}, {"2 frames", "warm-up of 5"});
   ExpectBadInput({"bench", sequence, "--frames", "1"}, {"1 frames", "object"});
-  ExpectBadInput({"bench", "--tables", "micro,memory"}, {"SEQUENCE", "--tables micro"});
+  ExpectBadInput({"bench", "--tables", "micro,memory"}, {"SEQUENCE", "--tables micro", "--tables retrieval"});
+  ExpectBadInput({"bench", "--tables", "retrieval", "--retrieval-sizes", "10,ten"},
+                 {"--retrieval-sizes", "'ten'"});
   ExpectBadInput({"bench", "--tables", "micro", "--micro", "matchng"}, {"matchng", "matching"});
   ExpectBadInput({"bench", sequence, "--warm-up", "1"}, {"exactly 3 objects", "there are: 2", "--objects"});
   ExpectBadInput({"bench", sequence, "--format", "excel"}, {"excel"});

@@ -161,31 +161,6 @@ TEST(MicroPoseGraph, ConvergesFromNoisyOdometry) {
   }
 }
 
-TEST(MicroNeighbours, AreThoseOfBruteForce) {
-  constexpr size_t kCount = 2000, kWidth = NeighbourSearch::kDimensions;
-  NeighbourSearch search(kCount);
-  const std::vector<float> queries = MicroPoints(20, 2);
-  for (size_t q = 0; q < 20; ++q) {
-    std::vector<std::pair<float, size_t>> all;
-    for (size_t i = 0; i < kCount; ++i) {
-      float sum = 0;
-      for (size_t k = 0; k < kWidth; ++k) {
-        const float d = queries[q * kWidth + k] - search.points()[i * kWidth + k];
-        sum += d * d;
-      }
-      all.emplace_back(sum, i);
-    }
-    std::partial_sort(all.begin(), all.begin() + 5, all.end());
-    std::vector<size_t> indices(5);
-    std::vector<float> distances(5);
-    search.Find(&queries[q * kWidth], indices, distances);
-    for (size_t k = 0; k < 5; ++k) {
-      EXPECT_EQ(indices[k], all[k].second);
-      EXPECT_NEAR(distances[k], all[k].first, 1e-5F);
-    }
-  }
-}
-
 TEST(Calibration, AlwaysDoesTheSame) {
   CalibrationLoop loop;
   const double sum = loop.Pass();

@@ -63,6 +63,15 @@ TEST(SectionPlots, ScalingHasAPictureALoad) {
   ExpectTexts(folder / "scaling-segments-den.svg", {"segments"});
 }
 
+TEST(SectionPlots, RetrievalHasACurveAnIndexWithItsRecall) {
+  const TempFolder folder;
+  BenchSection section{.name = "retrieval", .sequence = ""};
+  section.series = {SeriesNamed("kdtree_single", 0.01), SeriesNamed("kmeans:32", 0.001)};
+  section.series[1].remark = " (0.51)";
+  WriteSectionPlots(section, 3, folder.path());
+  ExpectTexts(folder / "retrieval.svg", {"kdtree_single", "kmeans:32 (0.51)", "how many", "how long [ms]"});
+}
+
 TEST(SectionPlots, OtherSectionsHaveNone) {
   const TempFolder folder;
   WriteSectionPlots({.name = "micro", .sequence = ""}, 3, folder.path());

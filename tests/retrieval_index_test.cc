@@ -32,6 +32,7 @@ Eigen::MatrixXf GridFeatures(Eigen::Index dimensions, Eigen::Index count, std::u
 
 std::vector<Neighbour> AllByDistance(const Eigen::MatrixXf& features, const Eigen::VectorXf& query) {
   std::vector<Neighbour> all;
+  all.reserve(static_cast<size_t>(features.cols()));
   for (int i = 0; i < features.cols(); ++i)
     all.push_back({i, (features.col(i).cast<double>() - query.cast<double>()).norm()});
   std::stable_sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.distance < b.distance; });
@@ -112,7 +113,7 @@ TEST_P(EveryMethod, CanBeMoved) {
 }
 
 TEST_P(EveryMethod, CountsItsMemory) {
-  const size_t features = 7 * 1000 * sizeof(float);
+  const size_t features = sizeof(float) * 7 * 1000;
   const InstanceIndex index(NormalFeatures(7, 1000, 1), MethodNamed(GetParam()));
   EXPECT_GE(index.memory_bytes(), features);
   EXPECT_LT(index.memory_bytes(), 40 * features);

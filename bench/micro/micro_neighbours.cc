@@ -1,63 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/micro/micro_neighbours.h"
 
-#include <flann/flann.hpp>
+#include <optional>
 
 #include "datasets/random.h"
+#include "retrieval/instance_index.h"
 
 namespace armature {
 namespace {
 
-constexpr size_t kNeighbours = 5;
+constexpr int kNeighbours = 5;
 constexpr size_t kQueries = 200;
+constexpr Eigen::Index kDimensions = 7;
+
+// Uniform in the unit cube.
+Eigen::VectorXf UniformPoint(Random& random) {
+  return Eigen::VectorXf::NullaryExpr(kDimensions, [&] { return static_cast<float>(random.Uniform(0, 1)); });
+}
+
+Eigen::MatrixXf UniformPoints(size_t count, unsigned seed) {
+  Random random(seed);
+  Eigen::MatrixXf points(kDimensions, static_cast<Eigen::Index>(count));
+  for (auto point : points.colwise()) point = UniformPoint(random);
+  return points;
+}
+
+std::vector<Eigen::VectorXf> UniformQueries(unsigned seed) {
+  Random random(seed);
+  std::vector<Eigen::VectorXf> queries;
+  for (size_t i = 0; i < kQueries; ++i) queries.push_back(UniformPoint(random));
+  return queries;
+}
 
 // The tree takes a while and much memory: it is built when the race starts, not when benchmarks are listed.
 Contender QueryContender(const std::string& name, size_t points) {
-  const auto search = std::make_shared<std::unique_ptr<NeighbourSearch>>();
-  const auto found = std::make_shared<std::pair<std::vector<size_t>, std::vector<float>>>(
-      std::vector<size_t>(kNeighbours), std::vector<float>(kNeighbours));
-  Contender contender = MicroContender(name, kQueries, [search, found, queries = MicroPoints(kQueries, 2)] {
-    for (size_t i = 0; i < kQueries; ++i)
-      (*search)->Find(&queries[i * NeighbourSearch::kDimensions], found->first, found->second);
+  const auto index = std::make_shared<std::optional<InstanceIndex>>();
+  Contender contender = MicroContender(name, kQueries, [index, queries = UniformQueries(2)] {
+    for (const Eigen::VectorXf& query : queries) (*index)->Nearest(query, kNeighbours);
   });
-  contender.start = [search, points] {
-    if (!*search) *search = std::make_unique<NeighbourSearch>(points);
+  contender.start = [index, points] {
+    if (!*index) index->emplace(UniformPoints(points, 1), IndexMethod{});
   };
   return contender;
 }
 
 }  // namespace
-
-struct NeighbourSearch::Tree {
-  flann::Index<flann::L2<float>> index;
-
-  explicit Tree(const flann::Matrix<float>& points) : index(points, flann::KDTreeSingleIndexParams()) {
-    index.buildIndex();
-  }
-};
-
-NeighbourSearch::NeighbourSearch(size_t points)
-    : points_(MicroPoints(points, 1)),
-      tree_(std::make_unique<Tree>(flann::Matrix<float>(points_.data(), points, kDimensions))) {}
-
-NeighbourSearch::~NeighbourSearch() = default;
-
-void NeighbourSearch::Find(const float* query, std::vector<size_t>& indices,
-                           std::vector<float>& squared_distances) {
-  // FLANN reads through a pointer to what may be written.
-  const flann::Matrix<float> queries(const_cast<float*>(query), 1, kDimensions);
-  flann::Matrix<size_t> index_row(indices.data(), 1, indices.size());
-  flann::Matrix<float> distance_row(squared_distances.data(), 1, squared_distances.size());
-  tree_->index.knnSearch(queries, index_row, distance_row, indices.size(),
-                         flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
-}
-
-std::vector<float> MicroPoints(size_t count, unsigned seed) {
-  Random random(seed);
-  std::vector<float> points(count * NeighbourSearch::kDimensions);
-  for (float& number : points) number = static_cast<float>(random.Uniform(0, 1));
-  return points;
-}
 
 std::vector<MicroBenchmark> NeighbourBenchmarks(const MicroSetup& setup) {
   std::vector<MicroBenchmark> benchmarks;

@@ -19,8 +19,8 @@
 namespace armature {
 namespace {
 
-constexpr std::array<const char*, 7> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                 "#e69f00", "#56b4e9", "#000000"};
+constexpr std::array<const char*, 8> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                 "#e69f00", "#56b4e9", "#000000", "#999999"};
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }

@@ -13,7 +13,8 @@ std::string GnuplotText(const std::string& text);
 // A finite number with every digit, "NaN" (which gnuplot leaves out) otherwise.
 std::string GnuplotNumber(double value);
 
-// Colours that the colour-blind can tell apart (Okabe and Ito 2008), "#rrggbb"; begins again after the last.
+// Colours that the colour-blind can tell apart (Okabe and Ito 2008, and grey), "#rrggbb"; begins again after
+// the last.
 std::string PlotColour(size_t index);
 
 // Size (900 wide), fonts, white background, legend above and text that is taken literally: before every

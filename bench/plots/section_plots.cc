@@ -102,16 +102,36 @@ void DrawScaling(const BenchSection& section, const fs::path& folder) {
   }
 }
 
+void DrawRetrieval(const BenchSection& section, const fs::path& folder) {
+  if (section.series.empty()) return;
+  const BenchSeries& first = section.series.front();
+  Plot plot{.title = "Retrieval: medians against the size of the library (recall@5 of the largest)",
+            .x_label = first.x_label,
+            .y_label = first.y_label,
+            .log_x = true,
+            .log_y = true,
+            .series = {}};
+  for (const BenchSeries& series : section.series) {
+    PlotSeries& curve = plot.series.emplace_back(PlotSeries{.name = series.contender + series.remark});
+    for (const auto& [x, ms] : series.points) {
+      curve.x.push_back(x);
+      curve.y.push_back(ms.median);
+    }
+  }
+  WriteSvg(plot, folder / "retrieval.svg");
+}
+
 }  // namespace
 
 bool IsDrawnTable(const std::string& table) {
-  return table == "comparison" || table == "objects" || table == "scaling";
+  return table == "comparison" || table == "objects" || table == "scaling" || table == "retrieval";
 }
 
 void WriteSectionPlots(const BenchSection& section, size_t objects, const fs::path& folder) {
   if (section.name == "comparison") DrawComparison(section, objects, folder);
   if (section.name == "objects") DrawObjects(section, folder);
   if (section.name == "scaling") DrawScaling(section, folder);
+  if (section.name == "retrieval") DrawRetrieval(section, folder);
 }
 
 }  // namespace armature

@@ -15,7 +15,7 @@ namespace armature {
 
 const std::vector<std::string>& BenchTableNames() {
   static const std::vector<std::string> names{"comparison", "objects",    "detectors", "scaling",
-                                              "pipelined",  kMemoryTable, kMicroTable};
+                                              "pipelined",  kMemoryTable, kMicroTable, kRetrievalTable};
   return names;
 }
 
@@ -24,6 +24,8 @@ void CheckBenchTableName(const std::string& name) {
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw InputError("--tables: " + UnknownNameMessage("table", name, known));
 }
+
+bool NeedsSequence(const std::string& table) { return table != kMicroTable && table != kRetrievalTable; }
 
 BenchSection MeasureSection(const std::string& name, const BenchTask& task) {
   if (name == "comparison") return ComparisonSection(task);

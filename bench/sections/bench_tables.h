@@ -10,13 +10,18 @@
 
 namespace armature {
 
-// "comparison", "objects", "detectors", "scaling", "memory", "micro"
+// "comparison", "objects", "detectors", "scaling", "pipelined", "memory", "micro",
+// "retrieval"
 const std::vector<std::string>& BenchTableNames();
 
 // Measured in processes of their own, before sequences are loaded: see memory_section.h.
 inline const std::string kMemoryTable = "memory";
-// Of fixed inputs, without a sequence: see micro_section.h.
+// Of fixed inputs, without a sequence: see micro_section.h and retrieval_section.h.
 inline const std::string kMicroTable = "micro";
+inline const std::string kRetrievalTable = "retrieval";
+
+// Whether it is of a sequence.
+bool NeedsSequence(const std::string& table);
 
 // Throws InputError for an unknown name.
 void CheckBenchTableName(const std::string& name);

@@ -64,6 +64,7 @@ std::vector<KeptArgument> KeptArguments(BenchArguments& a) {
           {"--tables", "tables", &a.tables},
           {"--engines", "engines", &a.engines},
           {"--micro", "micro", &a.micro},
+          {"--retrieval-sizes", "retrieval_sizes", &a.retrieval_sizes},
           {"--frames", "frames", &a.frames},
           {"--warm-up", "warm_up", &a.warm_up},
           {"--repeat", "repeat", &a.repeat},

@@ -18,7 +18,8 @@ struct BenchArguments {
   std::vector<std::string> tables;   // names; empty: all
   std::vector<std::string> engines;  // names; empty: bench/engines.h's default
   std::vector<std::string> micro;    // names of micro-benchmarks or families; empty: all
-  int frames = 0;                    // the first so many images; 0: all
+  std::vector<std::string> retrieval_sizes = {"1000", "10000", "100000", "1000000"};  // instances
+  int frames = 0;  // the first so many images; 0: all
   int warm_up = 5;
   int repeat = 1;
   int threads = 1;

@@ -42,7 +42,8 @@ bool Guard(const BenchRecord& reference, const std::set<TableOfSequence>& measur
 
 // What is measured.
 void AddSubjects(CLI::App& bench, BenchArguments& a) {
-  bench.add_option("SEQUENCE", a.sequences, "sequence folders; --tables micro needs none")->type_name("DIR");
+  bench.add_option("SEQUENCE", a.sequences, "sequence folders; --tables micro,retrieval needs none")
+      ->type_name("DIR");
   bench
       .add_option("--tables", a.tables,
                   fmt::format("which tables: {} (default: all)", fmt::join(BenchTableNames(), ", ")))
@@ -81,6 +82,12 @@ void AddMeasuring(CLI::App& bench, BenchArguments& a) {
       ->capture_default_str();
   bench.add_option("--baseline-frames", a.baseline_frames, "about so many frames are given to a baseline")
       ->type_name("N")
+      ->capture_default_str();
+  bench
+      .add_option("--retrieval-sizes", a.retrieval_sizes, "instances of the libraries of --tables retrieval")
+      ->type_name("N")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->capture_default_str();
   bench.add_option("--cad", a.cad, "folder of annotated CAD models, to measure recall without edges_gt.csv")
       ->type_name("DIR");

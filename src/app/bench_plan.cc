@@ -77,7 +77,7 @@ MicroSetup MicroSetupOf(const EngineParts& parts) {
 }
 
 // Engines race on its frames.
-bool IsRace(const std::string& table) { return table != kMemoryTable && table != kMicroTable; }
+bool IsRace(const std::string& table) { return table != kMemoryTable && NeedsSequence(table); }
 
 void CheckFrames(const Sequence& sequence, const BenchPlan& plan) {
   CheckHasObjects(sequence, plan.frames);
@@ -125,11 +125,12 @@ BenchPlan::BenchPlan(const BenchArguments& a) : cad(a.cad), parts(PartsOf(a.conf
   tables = TablesOf(a, settings.engines);
   micro_setup = MicroSetupOf(parts);
   micro = ChosenMicroBenchmarks(MicroBenchmarks(micro_setup), a.micro);
-  if (tables == std::vector{kMicroTable}) return;
+  retrieval.sizes = RetrievalSizes(a.retrieval_sizes);
+  if (std::none_of(tables.begin(), tables.end(), NeedsSequence)) return;
   if (a.sequences.empty()) {
     throw InputError(
-        "SEQUENCE is missing: only '--tables micro' can do without; name sequence folders, see "
-        "armature bench --help");
+        "SEQUENCE is missing: only '--tables micro' and '--tables retrieval' can do without; name sequence "
+        "folders, see armature bench --help");
   }
   for (const std::filesystem::path& folder : a.sequences) AddSequence(folder, *this);
 }
@@ -141,7 +142,10 @@ bool BenchPlan::Has(const std::string& table) const {
 std::set<TableOfSequence> TablesOfSequences(const BenchPlan& plan) {
   std::set<TableOfSequence> all;
   for (const std::string& table : plan.tables) {
-    if (table == kMicroTable) all.emplace(table, "");
+    if (!NeedsSequence(table)) {
+      all.emplace(table, "");
+      continue;
+    }
     for (const Sequence& sequence : plan.sequences) all.emplace(table, sequence.name);
   }
   return all;
@@ -157,13 +161,14 @@ BenchReport Measure(const BenchPlan& plan) {
   BenchReport report;
   for (const auto& [sequence, truth] : LoadImages(plan)) {
     for (const std::string& table : plan.tables) {
-      if (table == kMicroTable) continue;
+      if (!NeedsSequence(table)) continue;
       report.sections.push_back(table == kMemoryTable
                                     ? std::move(memory.at(sequence.name))
                                     : MeasureSection(table, {sequence, truth, plan.parts, plan.settings}));
     }
   }
   if (plan.Has(kMicroTable)) report.sections.push_back(MicroSection(plan.micro));
+  if (plan.Has(kRetrievalTable)) report.sections.push_back(RetrievalSection(plan.retrieval));
   return report;
 }
 

@@ -12,6 +12,7 @@
 #include "bench/guard/guarded_spans.h"
 #include "bench/micro/micro_benchmark.h"
 #include "bench/sections/bench_task.h"
+#include "bench/sections/retrieval_section.h"
 #include "io/sequence.h"
 
 namespace armature {
@@ -25,6 +26,7 @@ struct BenchPlan {
   std::vector<Sequence> sequences;  // without pixels; none where no table needs one
   MicroSetup micro_setup;
   std::vector<MicroBenchmark> micro;  // chosen; they point to the set-up
+  RetrievalSetup retrieval;
 
   // Reads what is small. Throws InputError for whatever would be found out later otherwise.
   explicit BenchPlan(const BenchArguments& arguments);
@@ -38,7 +40,7 @@ struct BenchPlan {
 std::set<TableOfSequence> TablesOfSequences(const BenchPlan& plan);
 
 // Memory first, in processes of their own, then the images are loaded; the sections are in the order of
-// sequences and tables, micro-benchmarks last.
+// sequences and tables, those without a sequence last.
 BenchReport Measure(const BenchPlan& plan);
 
 }  // namespace armature

@@ -171,4 +171,6 @@ const std::vector<std::string>& IndexMethodNames() {
   return names;
 }
 
+bool IsExact(const IndexMethod& method) { return method.name == "linear" || method.name == "kdtree_single"; }
+
 }  // namespace armature

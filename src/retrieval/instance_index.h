@@ -20,7 +20,7 @@ struct IndexMethod {
   int trees = 4;           // kdtree
   int branching = 32;      // kmeans
   int iterations = 11;     // kmeans, at most
-  int checks = 128;        // kdtree, kmeans: leaves that are looked at in a query
+  int checks = 128;        // kdtree, kmeans: instances that a query looks at
   std::uint64_t seed = 1;  // kdtree, kmeans
 };
 
@@ -71,5 +71,8 @@ class InstanceIndex {
 
 // linear, kdtree_single, kdtree, kmeans
 const std::vector<std::string>& IndexMethodNames();
+
+// Whether it finds the nearest, and not only near ones.
+bool IsExact(const IndexMethod& method);
 
 }  // namespace armature
