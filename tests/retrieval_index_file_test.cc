@@ -128,7 +128,7 @@ TEST(IndexFile, AMissingOneIsNamed) {
 
 TEST(IndexFile, AFolderThatIsNotThereIsAnError) {
   const TempFolder folder;
-  EXPECT_THROW(InstanceIndex(SavedFeatures(6), {}).Save(folder / "none/index"), std::runtime_error);
+  EXPECT_THROW(InstanceIndex(SavedFeatures(6), {}).Save("/proc/none/index"), InputError);
 }
 
 TEST(InstanceIndex, RefusesParametersOutOfRange) {

@@ -4,7 +4,6 @@
 #include <flann/config.h>
 #include <fmt/format.h>
 
-
 #include "io/checksum.h"
 #include "io/errors.h"
 #include "io/text.h"

@@ -13,7 +13,7 @@
 
 namespace armature {
 
-// Written aside and renamed. Throws std::runtime_error when it cannot be written.
+// Written aside and renamed. Throws InputError when it cannot be written.
 void WriteIndexFile(const std::filesystem::path& file, const std::string& method,
                     const Eigen::MatrixXf& features, const std::string& payload);
 

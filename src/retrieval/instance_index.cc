@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "io/errors.h"
-#include "io/nearest_name.h"
 #include "io/index_file.h"
+#include "io/nearest_name.h"
 #include "retrieval/neighbour_sets.h"
 #include "retrieval/seeded_flann.h"
 

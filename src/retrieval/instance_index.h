@@ -55,7 +55,7 @@ class InstanceIndex {
 
   // The search structure as a file (the features are not in it), and back. The file says its version, the
   // method with the parameters that it was built with (not `checks`), a checksum of the features and one of
-  // itself. Save writes aside and renames, throws std::runtime_error. Load throws InputError naming the file
+  // itself. Save writes aside and renames, throws InputError. Load throws InputError naming the file
   // and the remedy: missing, cut short, corrupt, of another version, of another method or other such
   // parameters, of other features.
   void Save(const std::filesystem::path& file) const;

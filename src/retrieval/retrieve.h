@@ -16,8 +16,8 @@ struct RetrievedInstance {
   std::optional<InstanceFit> fit;  // where it was re-ranked
 };
 
-// The index over the instances' features that the options ask for. `model` is the one that the instances' coefficients
-// are of.
+// The index over the instances' features that the options ask for. `model` is the one that the instances'
+// coefficients are of.
 InstanceIndex BuildIndex(const CategoryModel& model, const CategoryInstances& instances,
                          const RetrievalOptions& options);
 
@@ -25,11 +25,11 @@ InstanceIndex BuildIndex(const CategoryModel& model, const CategoryInstances& in
 class InstanceRetrieval {
  public:
   // `index` as of BuildIndex. Keeps references to model and instances.
-  InstanceRetrieval(const CategoryModel& model, const CategoryInstances& instances, const RetrievalOptions& options,
-                    InstanceIndex index);
+  InstanceRetrieval(const CategoryModel& model, const CategoryInstances& instances,
+                    const RetrievalOptions& options, InstanceIndex index);
 
-  // Best first, at most k. By covariance where that is asked for and the query has evidence, re-ranked where that is
-  // asked for and there are sightings.
+  // Best first, at most k. By covariance where that is asked for and the query has evidence, re-ranked where
+  // that is asked for and there are sightings.
   std::vector<RetrievedInstance> Retrieve(const ShapeQuery& query, const ObjectSightings* sightings) const;
 
   const CategoryInstances& instances() const { return instances_; }
