@@ -18,8 +18,8 @@ Eigen::Isometry3d At(double x, double y, double z) {
 }
 
 // A cube of 1 m with one edge along x, 5 m ahead.
-SceneObject CubeOf(const std::string& category) {
-  SceneObject object{
+MapSceneObject CubeOf(const std::string& category) {
+  MapSceneObject object{
       "cube", category, At(0, 0, 5), {}, BoxMesh(Vector3d::Zero(), Eigen::Matrix3d::Identity() / 2)};
   object.wireframe.midpoints = Vector3d(0, 0.5, 0.5);
   object.wireframe.directions = Vector3d(1, 0, 0);
@@ -78,7 +78,7 @@ TEST(MapSceneMesh, ACategoryHasAColourAndAnObjectItsShade) {
 TEST(MapSceneMesh, WhatIsNotThereIsLeftOut) {
   EXPECT_EQ(SceneMesh({}).size(), 0);
   MapScene scene;
-  scene.objects = {SceneObject{"a", "chair", {}, {}, {}}};
+  scene.objects = {MapSceneObject{"a", "chair", {}, {}, {}}};
   scene.objects[0].wireframe = {Vector3d::Zero(), Vector3d::Zero()};  // an edge without length
   scene.T_world_camera = {At(0, 0, 0), At(0, 0, 0)};
   EXPECT_EQ(SceneMesh(scene).size(), 8 * 12);

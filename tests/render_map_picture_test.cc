@@ -22,7 +22,7 @@ Eigen::Isometry3d PoseAt(const Vector3d& position) {
 }
 
 // Cubes of 1 m with nothing but their surface.
-SceneObject CubeAt(const std::string& id, const Vector3d& centre) {
+MapSceneObject CubeAt(const std::string& id, const Vector3d& centre) {
   return {id, "chair", PoseAt(centre), {}, BoxMesh(Vector3d::Zero(), Eigen::Matrix3d::Identity() / 2)};
 }
 
@@ -68,7 +68,7 @@ TEST(MapView, FramesEverythingTightly) {
     low = {std::min(low.x, pixel.x), std::min(low.y, pixel.y)};
     high = {std::max(high.x, pixel.x), std::max(high.y, pixel.y)};
   };
-  for (const SceneObject& object : scene.objects) {
+  for (const MapSceneObject& object : scene.objects) {
     for (const auto& vertex : object.cad.vertices.colwise()) extend(object.T_world_object * vertex);
   }
   for (const int i : {0, 1, 2, 3}) {
@@ -169,7 +169,7 @@ TEST(MapPicture, OfNothingIsAFloor) {
   EXPECT_NEAR(picture(50, 70)[1], 237, 15);
   MapScene only_a_wireframe;
   only_a_wireframe.objects = {
-      SceneObject{"a", "chair", PoseAt({0, 0, 2}), {Vector3d::Zero(), Vector3d::UnitX()}, {}}};
+      MapSceneObject{"a", "chair", PoseAt({0, 0, 2}), {Vector3d::Zero(), Vector3d::UnitX()}, {}}};
   EXPECT_EQ(DrawMap(only_a_wireframe, kSmall).rows, 100);
 }
 

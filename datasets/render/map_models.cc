@@ -53,7 +53,7 @@ std::vector<Vector3d> PathDots(const std::vector<Eigen::Isometry3d>& T_world_cam
 std::vector<PlacedMesh> MapBodies(const MapScene& scene, const MapGround& ground) {
   std::vector<PlacedMesh> bodies{GroundBody(ground)};
   for (size_t i = 0; i < scene.objects.size(); ++i) {
-    const SceneObject& object = scene.objects[i];
+    const MapSceneObject& object = scene.objects[i];
     bodies.push_back(BodyOf(object.cad, ObjectColour(scene, i), object.T_world_object));
   }
   return bodies;
@@ -74,7 +74,7 @@ std::vector<PlacedMesh> MapPath(const MapScene& scene) {
 std::vector<PlacedMesh> MapWireframes(const MapScene& scene) {
   std::vector<PlacedMesh> wireframes;
   for (size_t i = 0; i < scene.objects.size(); ++i) {
-    const SceneObject& object = scene.objects[i];
+    const MapSceneObject& object = scene.objects[i];
     const ColourBytes colour = WireframeColour(scene, i);
     wireframes.push_back(
         BodyOf(WireframeMesh(object.wireframe, kWireframeThickness, colour), colour, object.T_world_object));

@@ -21,7 +21,7 @@ constexpr double kGroundMargin = 0.3;          // metres around everything
 constexpr int kDirections = 36;                // that are tried in half a turn
 
 // What is drawn of the object, world frame; its centre where there is nothing.
-Matrix3Xd PointsOf(const SceneObject& object) {
+Matrix3Xd PointsOf(const MapSceneObject& object) {
   const Eigen::Index cad = object.cad.vertices.cols(), edges = object.wireframe.edges();
   Matrix3Xd points = Matrix3Xd::Zero(3, std::max<Eigen::Index>(1, cad + 2 * edges));
   if (cad > 0) points.leftCols(cad) = object.cad.vertices;
@@ -35,7 +35,7 @@ Matrix3Xd PointsOf(const SceneObject& object) {
 Matrix3Xd PointsOf(const MapScene& scene) {
   std::vector<Vector3d> points;
   for (const Eigen::Isometry3d& pose : scene.T_world_camera) points.push_back(pose.translation());
-  for (const SceneObject& object : scene.objects) {
+  for (const MapSceneObject& object : scene.objects) {
     const Matrix3Xd of_object = PointsOf(object);
     for (const auto& point : of_object.colwise()) points.emplace_back(point);
   }
@@ -47,7 +47,7 @@ Matrix3Xd PointsOf(const MapScene& scene) {
 // lower.
 double FloorHeight(const MapScene& scene, const Matrix3Xd& points) {
   std::vector<double> lowest;
-  for (const SceneObject& object : scene.objects) {
+  for (const MapSceneObject& object : scene.objects) {
     lowest.push_back((scene.up_world.transpose() * PointsOf(object)).minCoeff());
   }
   if (lowest.empty()) return (scene.up_world.transpose() * points).minCoeff();

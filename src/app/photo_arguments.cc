@@ -13,16 +13,6 @@
 namespace armature {
 namespace {
 
-std::vector<std::string> Fields(const std::string& text) {
-  std::vector<std::string> fields;
-  size_t start = 0;
-  for (size_t comma; (comma = text.find(',', start)) != std::string::npos; start = comma + 1) {
-    fields.push_back(Trimmed(text.substr(start, comma - start)));
-  }
-  fields.push_back(Trimmed(text.substr(start)));
-  return fields;
-}
-
 std::string Where(const std::string& argument, const std::string& text) {
   return argument + " " + Quoted(text);
 }
@@ -33,7 +23,7 @@ std::string Where(const std::string& argument, const std::string& text) {
 
 std::vector<double> Numbers(const std::string& argument, const std::string& text, size_t count,
                             const std::string& format) {
-  const std::vector<std::string> fields = Fields(text);
+  const std::vector<std::string> fields = SplitFields(text);
   const std::string where = Where(argument, text);
   if (fields.size() != count) ThrowCount(where, fields.size(), format);
   std::vector<double> numbers;
@@ -70,7 +60,7 @@ Camera ParseCamera(const std::string& intrinsics, const std::string& distortion,
 
 Detection ParseDetection(const std::string& text, const Camera& camera,
                          const std::vector<std::string>& categories) {
-  const std::vector<std::string> fields = Fields(text);
+  const std::vector<std::string> fields = SplitFields(text);
   const std::string where = Where("--box", text);
   if (fields.size() < 5 || fields.size() > 6) {
     ThrowCount(where, fields.size(), "category,x,y,width,height[,azimuth_deg]");

@@ -9,20 +9,6 @@
 #include "io/nearest_name.h"
 
 namespace armature {
-namespace {
-
-std::vector<std::string> SplitFields(const std::string& line) {
-  std::vector<std::string> fields;
-  size_t start = 0;
-  for (size_t comma; (comma = line.find(',', start)) != std::string::npos; start = comma + 1) {
-    fields.push_back(Trimmed(line.substr(start, comma - start)));
-  }
-  fields.push_back(Trimmed(line.substr(start)));
-  return fields;
-}
-
-}  // namespace
-
 const std::string& CsvRow::Text(const std::string& column) const {
   return fields_[table_->ColumnIndex(column)];
 }

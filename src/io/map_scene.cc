@@ -47,7 +47,7 @@ TriangleMesh PathMesh(const std::vector<Eigen::Isometry3d>& T_world_camera, doub
 // Its place among the names of the scene's categories.
 size_t CategoryNumber(const MapScene& scene, const std::string& category) {
   std::set<std::string> names;
-  for (const SceneObject& object : scene.objects) names.insert(object.category);
+  for (const MapSceneObject& object : scene.objects) names.insert(object.category);
   return static_cast<size_t>(std::distance(names.begin(), names.find(category)));
 }
 
@@ -99,7 +99,7 @@ TriangleMesh SceneMesh(const MapScene& scene, const SceneMeshOptions& options) {
   }
   Append(PathMesh(scene.T_world_camera, options.path_thickness), kPathColour, mesh);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
-    const SceneObject& object = scene.objects[i];
+    const MapSceneObject& object = scene.objects[i];
     const ColourBytes colour = WireframeColour(scene, i);
     Append(Moved(object.T_world_object, WireframeMesh(object.wireframe, options.wireframe_thickness, colour)),
            colour, mesh);

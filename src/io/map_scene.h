@@ -13,7 +13,7 @@
 
 namespace armature {
 
-struct SceneObject {
+struct MapSceneObject {
   std::string id;
   std::string category;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
@@ -24,7 +24,7 @@ struct SceneObject {
 // The world's axes are whatever the map has; `up_world` tells which way is up (unit).
 struct MapScene {
   std::vector<Eigen::Isometry3d> T_world_camera;
-  std::vector<SceneObject> objects;
+  std::vector<MapSceneObject> objects;
   Eigen::Vector3d up_world{0, -1, 0};
 };
 

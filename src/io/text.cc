@@ -80,6 +80,16 @@ double ParseNumber(const std::string& text, const std::string& where) {
   return value;
 }
 
+std::vector<std::string> SplitFields(const std::string& line) {
+  std::vector<std::string> fields;
+  size_t start = 0;
+  for (size_t comma; (comma = line.find(',', start)) != std::string::npos; start = comma + 1) {
+    fields.push_back(Trimmed(line.substr(start, comma - start)));
+  }
+  fields.push_back(Trimmed(line.substr(start)));
+  return fields;
+}
+
 std::vector<double> ParseNumbers(const std::string& text, const std::string& where) {
   std::vector<double> numbers;
   for (size_t start = 0; start < text.size();) {

@@ -23,6 +23,9 @@ std::string ReadTextFile(const std::filesystem::path& file);
 // Without blanks, tabs and carriage returns at both ends.
 std::string Trimmed(const std::string& text);
 
+// What is between the commas, trimmed; one text where there is none.
+std::vector<std::string> SplitFields(const std::string& line);
+
 // In single quotes, for messages: always one line, shortened when it is long.
 std::string Quoted(const std::string& text);
 

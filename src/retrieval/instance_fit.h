@@ -29,7 +29,7 @@ struct InstanceFitOptions {
   BoxOptions box;
   ResectionOptions resection;
   MapSolverOptions solver;
-  CostOptions cost;
+  CostOptions cost{.azimuth_weight = 0};  // how it is turned says nothing of which one it is
 };
 
 struct InstanceFit {

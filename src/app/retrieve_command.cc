@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/retrieve_command.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/instance_libraries.h"
+#include "app/interrupt.h"
+#include "app/place_models.h"
+#include "app/printed_tables.h"
+#include "app/retrieve_report.h"
+#include "app/retrieve_run.h"
+#include "eval/run_results.h"
+#include "io/errors.h"
+#include "io/library_file.h"
+#include "io/progress.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Note(const std::string& line) { fmt::print(stderr, "armature: {}\n", line); }
+
+void CheckArguments(const RetrieveArguments& arguments) {
+  if (arguments.build) {
+    if (arguments.cad.empty() || arguments.out.empty())
+      throw InputError(
+          "retrieve: --build needs --cad DIR, the annotated CAD models, and --out FILE, the library");
+    if (!arguments.runs.empty() || !arguments.library.empty())
+      throw InputError("retrieve: --build makes a library and looks at no run; build first, then retrieve");
+    return;
+  }
+  if (arguments.runs.empty()) throw InputError("retrieve: give run folders, or --build to make a library");
+  if (arguments.library.empty())
+    throw InputError(
+        "retrieve: give --library FILE; make one with 'armature retrieve --build --cad DIR --out FILE'");
+  if (!arguments.cad.empty() || !arguments.out.empty() || arguments.save_index)
+    throw InputError(
+        "retrieve: --cad, --out and --save-index are about --build; results go into the run folders");
+}
+
+// An index of an older library under this name would be refused with the new one.
+void WriteIndices(const fs::path& file, const InstanceLibrary& library,
+                  const std::vector<CategoryModel>& models, const RetrieveArguments& arguments) {
+  const RetrievalOptions options = LoadRetrievalOptions(arguments.retrieval);
+  for (const CategoryModel& model : models) {
+    std::error_code absent;
+    fs::remove(IndexFile(file, model.spec.name), absent);
+    const CategoryInstances* instances = library.Of(model.spec.name);
+    if (arguments.save_index && instances)
+      BuildIndex(model, *instances, options).Save(IndexFile(file, model.spec.name));
+  }
+}
+
+int Build(const RetrieveArguments& arguments, TableFormat format) {
+  const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
+  const InstanceLibrary library = LibraryOfFolder(arguments.cad, models);
+  WriteLibrary(library, arguments.out);
+  WriteIndices(arguments.out, library, models, arguments);
+  fmt::print("{}", FormatTables({LibraryTable(library)}, format));
+  return 0;
+}
+
+// What the user would otherwise wonder at.
+void NoteShortages(const RunRetrieval& run, const OpenLibrary& library, const RetrievalOptions& options) {
+  for (const ObjectInstances& found : run.objects) {
+    const std::string& category = run.map.objects[found.object].model->spec.name;
+    if (!found.library) {
+      Note(fmt::format("{}: {} has no instance: the library has no {}", run.sequence,
+                       run.map.objects[found.object].id, category));
+    }
+  }
+  for (const CategoryInstances& instances : library.library.categories) {
+    if (instances.size() >= options.k) continue;
+    Note(fmt::format("the library has {} {}s, fewer than retrieval.k = {}: all of them are listed",
+                     instances.size(), instances.category, options.k));
+  }
+}
+
+int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
+  const RetrievalOptions options = LoadRetrievalOptions(arguments.retrieval);
+  const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
+  const auto library = OpenLibraryFile(arguments.library, models, options);
+  std::vector<fs::path> folders;
+  for (const fs::path& given : arguments.runs) {
+    for (const fs::path& run : RunsIn(given)) folders.push_back(run);
+  }
+  Progress progress("retrieval: runs", static_cast<long>(folders.size()));
+  std::vector<RunRetrieval> runs;
+  for (const fs::path& folder : folders) {
+    ThrowIfInterrupted();
+    runs.push_back(RetrieveRun(folder, arguments.sequence, models, *library, options));
+    WriteRetrieval(runs.back());
+    NoteShortages(runs.back(), *library, options);
+    if (arguments.place) {
+      const PlacedScene placed = PlaceModels(runs.back(), library->library.root);
+      for (const std::string& line : placed.missing) Note(line);
+      WriteScene(placed.scene, folder);
+    }
+    progress.Step();
+  }
+  fmt::print("{}", FormatTables({RetrievalTable(runs, options)}, format));
+  return 0;
+}
+
+}  // namespace
+
+int RunRetrieve(const RetrieveArguments& arguments) {
+  const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
+  CheckArguments(arguments);
+  return arguments.build ? Build(arguments, format) : Retrieve(arguments, format);
+}
+
+void AddRetrieveCommand(CLI::App& app, int& exit_status) {
+  const auto arguments = std::make_shared<RetrieveArguments>();
+  RetrieveArguments& a = *arguments;
+  CLI::App* retrieve = app.add_subcommand("retrieve", "Name the CAD models nearest to each object of runs");
+  retrieve->add_option("RUN", a.runs, "run folders, or folders of run folders")->type_name("DIR");
+  retrieve->add_option("--library", a.library, "library of instances")->type_name("FILE");
+  retrieve
+      ->add_option("--sequence", a.sequence, "sequence folder, for re-ranking (default: where the run says)")
+      ->type_name("DIR");
+  retrieve->add_flag("--place", a.place, "also write map.ply and map.png: the map with the CAD models in it");
+  retrieve->add_flag("--build", a.build, "make a library instead: --cad DIR --out FILE");
+  retrieve->add_option("--cad", a.cad, "folder of annotated CAD models (datasets/README.md)")
+      ->type_name("DIR");
+  retrieve->add_option("--out", a.out, "library file to write")->type_name("FILE");
+  retrieve->add_flag("--save-index", a.save_index, "also write its search indices beside it");
+  retrieve->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
+  retrieve->add_flag("--json", a.json, "the same as --format json");
+  AddCategoriesArguments(*retrieve, a.configuration);
+  AddRetrievalArguments(*retrieve, a.retrieval);
+  retrieve->callback([arguments, &exit_status] { exit_status = RunRetrieve(*arguments); });
+}
+
+}  // namespace armature
