@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "app/instance_libraries.h"
 #include "app/learn_report.h"
 #include "app/training_models.h"
 #include "category/held_out.h"
@@ -12,6 +13,7 @@
 #include "io/annotations.h"
 #include "io/category_yaml.h"
 #include "io/errors.h"
+#include "io/library_file.h"
 
 namespace armature {
 namespace {
@@ -34,6 +36,9 @@ void CheckArguments(const LearnArguments& arguments) {
   }
   if (arguments.out.empty() && arguments.held_out == 0 && !IsComparing(arguments)) {
     throw InputError("learn: nothing to do; give --out FILE, --held-out N or --compare FILE");
+  }
+  if (!arguments.library.empty() && (arguments.annotations.file.empty() || arguments.out.empty())) {
+    throw InputError("learn: --library needs --annotations, in the folder of the CAD models, and --out");
   }
   if (arguments.count < 2)
     throw InputError(fmt::format("learn: --count {}: at least 2 are needed", arguments.count));
@@ -96,6 +101,12 @@ int RunLearn(const LearnArguments& arguments) {
     WriteCategory(report.model, arguments.out);
     report.out = arguments.out.string();
   }
+  if (!arguments.library.empty()) {
+    // Of the model as others will read it: written numbers have nine digits.
+    const std::filesystem::path folder = std::filesystem::absolute(arguments.annotations.file).parent_path();
+    WriteLibrary(LibraryOfFolder(folder, {LoadCategory(arguments.out)}), arguments.library);
+    report.library = arguments.library.string();
+  }
   fmt::print("{}", arguments.json ? ReportJson(report) : ReportText(report));
   return 0;
 }
@@ -138,6 +149,9 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
   learn->add_option("--compare-family", a.compare_family, "the same with a family of ours (--count, --seed)");
   learn->add_option("--source", a.source, "what the models are and their licence, written into the model");
   learn->add_option("--out", a.out, "model file to write");
+  learn->add_option(
+      "--library", a.library,
+      "also write a library of the CAD models in the annotations' folder, for `armature retrieve`");
   learn->add_flag("--json", a.json, "print JSON instead of tables");
   learn->callback([arguments, &exit_status] { exit_status = RunLearn(*arguments); });
 }

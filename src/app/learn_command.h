@@ -27,7 +27,8 @@ struct LearnArguments {
   AnnotatedFile compare;            // another set, seen in the learnt modes
   std::string compare_family;       // the same, of a family
   std::string source;  // what the models are and their licence, written to the model; empty: from above
-  std::filesystem::path out;  // model file to write; empty: none
+  std::filesystem::path out;      // model file to write; empty: none
+  std::filesystem::path library;  // library of the CAD models in the annotations' folder; empty: none
   bool json = false;
 };
 

@@ -79,6 +79,7 @@ std::string ReportText(const LearnReport& report) {
       model.training_models, report.models_read, model.spec.edges(), model.dictionary.size());
   text += VarianceText(model) + HeldOutText(report) + ComparisonText(report);
   if (!report.out.empty()) text += fmt::format("\nCategory model: {}\n", report.out);
+  if (!report.library.empty()) text += fmt::format("Library of instances: {}\n", report.library);
   return text;
 }
 
@@ -109,6 +110,7 @@ std::string ReportJson(const LearnReport& report) {
                           {"others", SetJson(report.comparison->other)}};
   }
   if (!report.out.empty()) json["out"] = report.out;
+  if (!report.library.empty()) json["library"] = report.library;
   return json.dump(2) + "\n";
 }
 

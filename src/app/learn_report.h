@@ -25,7 +25,8 @@ struct LearnReport {
   int held_out_every = 0;
   std::vector<HeldOutRow> held_out;
   std::optional<ComparisonReport> comparison;
-  std::string out;  // the file written, empty: none
+  std::string out;      // the file written, empty: none
+  std::string library;  // the library written, empty: none
 };
 
 std::string ReportText(const LearnReport& report);

@@ -25,6 +25,23 @@ TriangleMesh SurfaceOf(const RetrievedInstance& nearest, const CategoryInstances
   return Moved(T_object_geometry, ReadGeometry(root / geometry));
 }
 
+// The nearest whose surface can be read; a line for each that comes before it.
+TriangleMesh NearestSurface(const ObjectInstances& found, const MapObject& object,
+                            const std::filesystem::path& root, std::vector<std::string>& missing) {
+  for (const RetrievedInstance& instance : found.instances) {
+    try {
+      return SurfaceOf(instance, *found.library, object, root);
+    } catch (const InputError& error) {
+      missing.push_back(fmt::format("{}: {} cannot be placed, the next nearest is: {}", object.id,
+                                    found.library->ids[static_cast<size_t>(instance.instance)],
+                                    error.what()));
+    }
+  }
+  missing.push_back(
+      fmt::format("{}: no retrieved model can be placed, only its wireframe is shown", object.id));
+  return {};
+}
+
 }  // namespace
 
 PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::path& root) {
@@ -38,19 +55,7 @@ PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::pa
     scene.category = object.model->spec.name;
     scene.T_world_object = object.T_world_object;
     scene.wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
-    if (found.instances.empty()) {
-      placed.missing.push_back(
-          fmt::format("{}: has no retrieved model, only its wireframe is shown", object.id));
-      continue;
-    }
-    const RetrievedInstance& nearest = found.instances.front();
-    try {
-      scene.cad = SurfaceOf(nearest, *found.library, object, root);
-    } catch (const InputError& error) {
-      placed.missing.push_back(
-          fmt::format("{}: {} cannot be placed, only its wireframe is shown: {}", object.id,
-                      found.library->ids[static_cast<size_t>(nearest.instance)], error.what()));
-    }
+    scene.cad = NearestSurface(found, object, root, placed.missing);
   }
   return placed;
 }

@@ -15,8 +15,8 @@ struct PlacedScene {
   std::vector<std::string> missing;  // a line a model that could not be placed: which and why
 };
 
-// The map's cameras, wireframes and of each object its nearest CAD model: where it was fitted to the images,
-// else at the object's pose. `root`: the library's folder of surfaces.
+// The map's cameras, wireframes and of each object its nearest CAD model of which there is a surface: where
+// it was fitted to the images, else at the object's pose. `root`: the library's folder of surfaces.
 PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::path& root);
 
 // map.ply and map.png in the run's folder.
