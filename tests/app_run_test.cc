@@ -26,9 +26,9 @@ using testing::TempFolder;
 using testing::WriteTinySequence;
 using Files = std::set<std::string>;
 
-const Files kRunFiles = {"associations.csv",     "config.yaml",      "objects.csv",
-                         "objects_odometry.csv", "observations.csv", "odometry_scaled.txt",
-                         "summary.json",         "timings.csv",      "trajectory.txt"};
+const Files kRunFiles = {
+    "associations.csv",    "config.yaml",        "objects.csv",  "objects_odometry.csv", "observations.csv",
+    "odometry_scaled.txt", "shape_evidence.csv", "summary.json", "timings.csv",          "trajectory.txt"};
 
 struct Errors {
   std::vector<double> azimuth_deg, translation_percent;

@@ -18,6 +18,7 @@ const std::vector<std::pair<std::string, std::string>> kFiles = {
     {"trajectory.txt", "camera poses T_world_camera (TUM), metric"},
     {"odometry_scaled.txt", "the odometry alone in the same frame and scale (TUM)"},
     {"objects.csv", "the map: a row an object"},
+    {"shape_evidence.csv", "what the images say of each object's shape: `armature retrieve` weighs by it"},
     {"objects_odometry.csv", "the same objects placed by odometry alone"},
     {"observations.csv", "a row a detection: status, T_camera_object, shape"},
     {"associations.csv", "which line segment explains which edge"},
