@@ -8,13 +8,15 @@
 namespace armature {
 namespace {
 
+constexpr Eigen::Index kBlock = 1024;  // instances that are compared at once
+
 Eigen::Index Kept(Eigen::Index modes, const FeatureOptions& options) {
   return options.modes > 0 ? std::min<Eigen::Index>(modes, options.modes) : modes;
 }
 
-// The quadratic form of a query's metric about its mean: weight = L L^T, both of the kept modes.
+// A query's distance: |root (x - mean)|, of the kept modes.
 struct Metric {
-  Eigen::MatrixXd weight;
+  Eigen::MatrixXd root;
   Eigen::VectorXd mean;
 };
 
@@ -37,7 +39,7 @@ Metric MetricOf(const ShapeEvidence& evidence, double sigma, Eigen::Index modes)
   const Eigen::ArrayXd weights = l / (1 + sigma * sigma * l);
   const Eigen::ArrayXd along = (eigen.eigenvectors().transpose() * vector).array();
   const Eigen::VectorXd mean = (l > kLeastInformation).select(along / l.max(kLeastInformation), 0).matrix();
-  return {eigen.eigenvectors() * weights.matrix().asDiagonal() * eigen.eigenvectors().transpose(),
+  return {weights.sqrt().matrix().asDiagonal() * eigen.eigenvectors().transpose(),
           eigen.eigenvectors() * mean};
 }
 
@@ -67,10 +69,14 @@ std::vector<Neighbour> Likeliest(const CategoryInstances& instances, const Shape
                                  double sigma, int modes, int k) {
   const Eigen::Index kept = Kept(instances.coefficients.rows(), {.modes = modes});
   const Metric metric = MetricOf(evidence, sigma, kept);
-  std::vector<Neighbour> neighbours(static_cast<size_t>(instances.size()));
-  for (int i = 0; i < instances.size(); ++i) {
-    const Eigen::VectorXd d = instances.coefficients.col(i).head(kept).cast<double>() - metric.mean;
-    neighbours[static_cast<size_t>(i)] = {i, std::sqrt(std::max(0.0, d.dot(metric.weight * d)))};
+  std::vector<Neighbour> neighbours;
+  neighbours.reserve(static_cast<size_t>(instances.size()));
+  for (Eigen::Index start = 0; start < instances.size(); start += kBlock) {
+    const Eigen::Index count = std::min<Eigen::Index>(kBlock, instances.size() - start);
+    const Eigen::MatrixXd x = instances.coefficients.block(0, start, kept, count).cast<double>();
+    const Eigen::VectorXd distances = (metric.root * (x.colwise() - metric.mean)).colwise().norm();
+    for (Eigen::Index i = 0; i < count; ++i)
+      neighbours.push_back({static_cast<int>(start + i), distances(i)});
   }
   const auto count = std::min(neighbours.size(), static_cast<size_t>(std::max(k, 0)));
   const auto nearer = [](const Neighbour& a, const Neighbour& b) {
