@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Collections of CAD models in miniature: generated ones, and published tables of key points.
-#include "io/cad_folder.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "io/annotation_tables.h"
+#include "io/cad_folder.h"
 #include "io/category_yaml.h"
 #include "support/category_examples.h"
 #include "support/expect_input_error.h"
@@ -38,8 +37,8 @@ class GeneratedCadFolder : public CadFolder {
  protected:
   GeneratedCadFolder() {
     testing::WriteSmallCad(folder_, *std::find_if(specs_.begin(), specs_.end(), [](const CategorySpec& spec) {
-      return spec.name == "table";
-    }));
+                             return spec.name == "table";
+                           }));
   }
 };
 
@@ -139,8 +138,9 @@ TEST_F(CadFolder, ChairsTakeTheirBoxesFrameAndExtent) {
 
 TEST_F(CadFolder, TablesAreNamedByTheirSecondId) {
   folder_.Write("shapeassembly_table_kp12.csv", KeyPoints(TableOf("shapeassembly_table"), "17", 1));
-  folder_.Write("shapeassembly_table_boxes.txt", "abc 17 1 2 3  0.5 0.5 0.5  1 0 0 0 1 0 0 0 1\n"
-                                                 "17 abc 9 9 9  0.5 0.5 0.5  1 0 0 0 1 0 0 0 1\n");
+  folder_.Write("shapeassembly_table_boxes.txt",
+                "abc 17 1 2 3  0.5 0.5 0.5  1 0 0 0 1 0 0 0 1\n"
+                "17 abc 9 9 9  0.5 0.5 0.5  1 0 0 0 1 0 0 0 1\n");
   const std::vector<CadModel> models = Read();
   ASSERT_EQ(models.size(), 1);
   EXPECT_EQ(models[0].instance, "shapeassembly:17");
@@ -193,7 +193,8 @@ TEST_F(CadFolder, AllThatIsThereIsRead) {
 
 TEST_F(CadFolder, BadTables) {
   ExpectRefused({folder_.path(), "has no annotated CAD models", "instances.csv"});
-  ExpectInputError([&] { ReadCadFolder(folder_ / "nowhere", specs_); }, {"nowhere", "has no annotated CAD models"});
+  ExpectInputError([&] { ReadCadFolder(folder_ / "nowhere", specs_); },
+                   {"nowhere", "has no annotated CAD models"});
   folder_.Write("keypointnet_chair_kp10.csv", KeyPoints(TableOf("keypointnet_chair"), "abc", 1));
   folder_.Write("keypointnet_chair_boxes.txt", "\nabc 17 1 2 3\n");
   ExpectRefused({"keypointnet_chair_boxes.txt:2", "15 numbers"});

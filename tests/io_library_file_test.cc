@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/library_file.h"
-
 #include <gtest/gtest.h>
 
+#include "io/library_file.h"
 #include "support/expect_input_error.h"
 #include "support/frame_library.h"
 #include "support/temp_folder.h"
@@ -86,8 +85,11 @@ TEST(LibraryFile, AnotherModelsCoefficientsAreRefused) {
   WriteLibrary(TwoCategories(folder.path()), folder / "library");
   CategoryModel learnt_again = Gates();
   learnt_again.standard_deviations *= 1.01;
-  ExpectInputError([&] { ReadLibrary(folder / "library", {FrameModel(), learnt_again}); },
-                   {"library", "gate", "another category model", "--categories", "armature retrieve --build"});
+  ExpectInputError(
+      [&] {
+        ReadLibrary(folder / "library", {FrameModel(), learnt_again});
+      },
+      {"library", "gate", "another category model", "--categories", "armature retrieve --build"});
 }
 
 class BadLibraryFile : public ::testing::Test {
@@ -99,8 +101,11 @@ class BadLibraryFile : public ::testing::Test {
   // Each file is a new one: to replace one waits for the disk.
   void ExpectRefused(const std::string& content, const std::string& text = "") {
     const fs::path file = folder_.Write("bad" + std::to_string(++files_), content);
-    ExpectInputError([&] { ReadLibrary(file, {FrameModel(), Gates()}); },
-                     {file.filename(), text, "armature retrieve --build"});
+    ExpectInputError(
+        [&] {
+          ReadLibrary(file, {FrameModel(), Gates()});
+        },
+        {file.filename(), text, "armature retrieve --build"});
   }
 
   TempFolder folder_;
@@ -142,8 +147,11 @@ TEST_F(BadLibraryFile, AnyByteChanged) {
 TEST_F(BadLibraryFile, WhereNoneCanBeWritten) {
   const auto entries = [&] { return std::distance(fs::directory_iterator(folder_.path()), {}); };
   const auto before = entries();
-  ExpectInputError([&] { WriteLibrary({folder_.path(), {}}, folder_ / "library/below"); },
-                   {"library/below", "cannot be written"});
+  ExpectInputError(
+      [&] {
+        WriteLibrary({folder_.path(), {}}, folder_ / "library/below");
+      },
+      {"library/below", "cannot be written"});
   EXPECT_EQ(entries(), before);
   EXPECT_EQ(ReadFile(folder_ / "library"), good_);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/shape_evidence_csv.h"
-
 #include <gtest/gtest.h>
 
+#include "io/shape_evidence_csv.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 
@@ -31,9 +30,9 @@ TEST(ShapeEvidenceCsv, ComesBack) {
   const TempFolder folder;
   const Eigen::Vector2d vector(-0.5, 3);
   const Eigen::Matrix2d information{{2, 0.125}, {0.125, 8}};
-  const auto file =
-      folder.Write("shape_evidence.csv", ShapeEvidenceText({Evident("chair0", kInformation, Eigen::Vector3d(1, 2, 3)),
-                                                            Evident("table0", information, vector)}));
+  const auto file = folder.Write("shape_evidence.csv",
+                                 ShapeEvidenceText({Evident("chair0", kInformation, Eigen::Vector3d(1, 2, 3)),
+                                                    Evident("table0", information, vector)}));
   const std::map<std::string, ShapeEvidence> read = ReadShapeEvidence(file);
   ASSERT_EQ(read.size(), 2);
   EXPECT_EQ(read.at("chair0").information, kInformation);
@@ -51,7 +50,8 @@ TEST(ShapeEvidenceCsv, BadFiles) {
   const std::string header = "id,information,vector\n";
   ExpectInputError([&] { ReadShapeEvidence(folder / "nowhere.csv"); }, {"nowhere.csv", "cannot be opened"});
   expect_refused("id,vector\nchair0,1\n", {"shape_evidence.csv:1", "information"});
-  expect_refused(header + "chair0,1;2;3,1\n", {"shape_evidence.csv:2", "3 numbers", "with 1", "armature run"});
+  expect_refused(header + "chair0,1;2;3,1\n",
+                 {"shape_evidence.csv:2", "3 numbers", "with 1", "armature run"});
   expect_refused(header + "chair0,1;two;3,1;2\n", {"shape_evidence.csv:2", "information", "'two'"});
   expect_refused(header + "chair0,1;2;3,1;nan\n", {"shape_evidence.csv:2", "vector", "'nan'"});
   expect_refused(header + "chair0,1;;3,1;2\n", {"shape_evidence.csv:2", "information", "''"});

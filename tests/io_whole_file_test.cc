@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/whole_file.h"
-
 #include <gtest/gtest.h>
 
+#include "io/whole_file.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 
@@ -39,7 +38,8 @@ TEST(WholeFile, WhatCannotBeWrittenLeavesNothingBehind) {
   const testing::TempFolder folder;
   folder.Write("file", "as before");
   fs::create_directories(folder / "taken/inside");
-  ExpectInputError([&] { WriteWholeFile(folder / "file/below", "x"); }, {"file/below", "cannot be written", "folder"});
+  ExpectInputError([&] { WriteWholeFile(folder / "file/below", "x"); },
+                   {"file/below", "cannot be written", "folder"});
   ExpectInputError([&] { WriteWholeFile(folder / "taken", "x"); }, {"taken", "cannot be written"});
   EXPECT_EQ(ReadFile(folder / "file"), "as before");
   EXPECT_EQ(EntriesOf(folder.path()), 2);

@@ -24,7 +24,8 @@ double MetresOff(const SeenChair& chair, const InstanceFit& fit) {
 }
 
 double DegreesOff(const SeenChair& chair, const InstanceFit& fit) {
-  const Eigen::AngleAxisd off(fit.T_world_object.linear().transpose() * chair.truth().T_world_object.linear());
+  const Eigen::AngleAxisd off(fit.T_world_object.linear().transpose() *
+                              chair.truth().T_world_object.linear());
   return off.angle() / kDegree;
 }
 
@@ -78,15 +79,19 @@ TEST(FitInstance, AnInstanceOfKnownSizeKeepsIt) {
   EXPECT_GT(FitTo(chair, large, 0, held).cost, FitTo(chair, large, 0.05, held).cost);
 }
 
+// Eight images tell the size to about one percent: less than that holds it, more does not.
 TEST(FitInstance, TheSizesPriorIsAsWideAsItSays) {
   const SeenChair chair;
   const Wireframe large = Scaled(1.04, chair.TrueWireframe());
-  double before = 1;
-  for (const double sigma : {0.002, 0.01, 0.05}) {
-    const double scale = FitTo(chair, large, sigma, {.size_sigma = 0}).scale;
-    EXPECT_LT(scale, before - 0.001) << sigma;
-    before = scale;
-  }
+  InstanceFitOptions options;
+  const auto scale_with = [&](double of_instance, double of_map) {
+    options.size_sigma = of_map;
+    return FitTo(chair, large, of_instance, options).scale;
+  };
+  EXPECT_GT(scale_with(0.002, 0), 0.998);
+  EXPECT_NEAR(scale_with(0.01, 0), 0.98, 0.006);
+  EXPECT_LT(scale_with(0.05, 0), 0.965);
+  EXPECT_EQ(scale_with(0.003, 0.004), scale_with(0, 0.005)) << "map and instance err independently";
 }
 
 TEST(FitInstance, WithoutRoundsItIsMeasuredWhereTheMapHasIt) {

@@ -14,7 +14,9 @@ using testing::FrameModel;
 using testing::MetricFrame;
 using testing::SomeCoefficients;
 
-CategoryInstances LibraryOf(const CadModel& cad) { return BuildLibrary({FrameModel()}, {cad}, "").categories.at(0); }
+CategoryInstances LibraryOf(const CadModel& cad) {
+  return BuildLibrary({FrameModel()}, {cad}, "").categories.at(0);
+}
 
 // The same frame in another unit and place.
 CadModel UnscaledFrame() {
@@ -60,7 +62,9 @@ TEST(InstanceLibrary, OthersAreBroughtToMetres) {
   const Wireframe expected = Normalised(model.spec.reference, cad.wireframe);
   EXPECT_NEAR(instances.WireframeOf(0).directions.col(2).norm(), 1, 1e-6) << "the reference";
   EXPECT_LT((instances.edges.col(0).cast<double>() - ShapeVector(expected)).norm(), 1e-6);
-  EXPECT_LT((instances.coefficients.col(0).cast<double>() - CoefficientsFromWireframe(model, expected)).norm(), 1e-5);
+  EXPECT_LT(
+      (instances.coefficients.col(0).cast<double>() - CoefficientsFromWireframe(model, expected)).norm(),
+      1e-5);
   const double scale = 1 / cad.wireframe.directions.col(2).norm();
   EXPECT_TRUE(instances.sizes.col(0).cast<double>().isApprox(scale * (cad.box_max - cad.box_min), 1e-6));
   EXPECT_EQ(instances.size_sigmas(0), static_cast<float>(kUnscaledSizeSigma));
@@ -69,13 +73,15 @@ TEST(InstanceLibrary, OthersAreBroughtToMetres) {
 TEST(InstanceLibrary, SurfacesComeAlongIntoTheObjectsFrame) {
   CadModel cad = UnscaledFrame();
   cad.T_annotation_geometry = Eigen::Translation3d(0.3, 0.2, 0.1) *
-                              Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()) * Eigen::Scaling(0.01);
+                              Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()) *
+                              Eigen::Scaling(0.01);
   const CategoryInstances instances = LibraryOf(cad);
   const Eigen::Affine3d T_geometry_annotation = cad.T_annotation_geometry->inverse();
   for (int edge = 0; edge < 3; ++edge) {
     for (const int end : {0, 1}) {
       const Eigen::Vector3d on_surface = T_geometry_annotation * cad.wireframe.End(edge, end);
-      EXPECT_LT((instances.TransformOf(0) * on_surface - instances.WireframeOf(0).End(edge, end)).norm(), 1e-4);
+      EXPECT_LT((instances.TransformOf(0) * on_surface - instances.WireframeOf(0).End(edge, end)).norm(),
+                1e-4);
     }
   }
 }
@@ -90,7 +96,8 @@ TEST(InstanceLibrary, ASurfaceWithoutFrameIsLeftOut) {
 TEST(InstanceLibrary, ModelsWithoutSizeAreLeftOut) {
   CadModel flat = UnscaledFrame();
   flat.wireframe.directions.col(2).setZero();
-  const InstanceLibrary library = BuildLibrary({FrameModel()}, {flat, MetricFrame("f", Eigen::Vector3d(1, 0, 0))}, "");
+  const InstanceLibrary library =
+      BuildLibrary({FrameModel()}, {flat, MetricFrame("f", Eigen::Vector3d(1, 0, 0))}, "");
   EXPECT_EQ(library.categories.at(0).ids, std::vector<std::string>{"f"});
   EXPECT_NEAR(library.categories.at(0).coefficients(0, 0), 1, 1e-5);
   EXPECT_EQ(library.categories.at(0).sizes.cols(), 1);
@@ -104,8 +111,8 @@ TEST(InstanceLibrary, HasTheCategoriesThatThereAreModelsAndInstancesOf) {
   CadModel a_gate = MetricFrame("g", Eigen::Vector3d::Zero()), a_sofa = a_gate;
   a_gate.category = "gate";
   a_sofa.category = "sofa";
-  const InstanceLibrary library =
-      BuildLibrary({gate, door, FrameModel()}, {MetricFrame("f", Eigen::Vector3d::Zero()), a_gate, a_sofa}, "here");
+  const InstanceLibrary library = BuildLibrary(
+      {gate, door, FrameModel()}, {MetricFrame("f", Eigen::Vector3d::Zero()), a_gate, a_sofa}, "here");
   ASSERT_EQ(library.categories.size(), 2);
   EXPECT_EQ(library.Of("gate")->ids, std::vector<std::string>{"g"});
   EXPECT_EQ(library.Of("frame")->ids, std::vector<std::string>{"f"});

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "retrieval/retrieve.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
+#include "retrieval/retrieve.h"
 #include "support/frame_library.h"
 #include "support/seen_chair.h"
 
@@ -147,7 +146,10 @@ class ChairRetrieval : public ::testing::Test {
     query_.coefficients(1) += 1.5;
     std::vector<CadModel> cad;
     for (const double off : {1.5, 1.0, 0.6, 0.0}) {
-      CadModel model{.instance = "off by " + std::to_string(off), .category = "chair", .metric = true};
+      CadModel model;
+      model.instance = "off by " + std::to_string(off);
+      model.category = "chair";
+      model.metric = true;
       Eigen::VectorXd coefficients = chair_.truth().coefficients;
       coefficients(1) += off;
       model.wireframe = WireframeFromCoefficients(chair_.model(), coefficients);

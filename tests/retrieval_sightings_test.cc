@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "retrieval/sightings.h"
-
 #include <gtest/gtest.h>
 
 #include "geometry/rotation.h"
+#include "retrieval/sightings.h"
 #include "support/map_world.h"
 
 namespace armature {
@@ -100,16 +99,16 @@ TEST_F(SightedRoom, TheOtherObjectsHideIt) {
   const ObjectSightings seen = LookAt(map_, 0, {{1, 1}}, views_, {0, -1, 0});
   const std::vector<ImageFace>& occluders = seen.frames[0].observations[0].view.occluders;
   const MapObject& table = map_.objects[1];
-  const std::vector<ImageFace> expected =
-      ProjectFaces(world_.camera, table.model->spec, WireframeFromCoefficients(*table.model, table.coefficients),
-                   map_.T_world_camera[1].inverse() * table.T_world_object);
+  const std::vector<ImageFace> expected = ProjectFaces(
+      world_.camera, table.model->spec, WireframeFromCoefficients(*table.model, table.coefficients),
+      map_.T_world_camera[1].inverse() * table.T_world_object);
   ASSERT_EQ(occluders.size(), expected.size());
   ASSERT_FALSE(expected.empty());
   EXPECT_EQ(occluders[0].corners, expected[0].corners);
   // The table's top hides what is behind its middle, and not what is before it.
-  const Eigen::Vector3d middle = map_.T_world_camera[1].inverse() * table.T_world_object *
-                                 WireframeFromCoefficients(*table.model, table.coefficients)
-                                     .midpoints.leftCols<4>().rowwise().mean();
+  const Eigen::Vector3d middle =
+      map_.T_world_camera[1].inverse() * table.T_world_object *
+      WireframeFromCoefficients(*table.model, table.coefficients).midpoints.leftCols<4>().rowwise().mean();
   EXPECT_TRUE(occluders[0].Hides(world_.camera.Project(middle), 0.8 / middle.z()));
   EXPECT_FALSE(occluders[0].Hides(world_.camera.Project(middle), 1.2 / middle.z()));
 }

@@ -28,8 +28,9 @@ constexpr const char* kRemedy = "build it again with 'armature retrieve --build'
 
 void CheckModel(const fs::path& file, const CategoryInstances& instances, const CategoryModel& model) {
   if (instances.model_checksum == ModelChecksum(model)) return;
-  throw InputError(fmt::format("{}: its instances of {} are of another category model; name that with --categories, or {}",
-                               file.string(), Quoted(instances.category), kRemedy));
+  throw InputError(
+      fmt::format("{}: its instances of {} are of another category model; name that with --categories, or {}",
+                  file.string(), Quoted(instances.category), kRemedy));
 }
 
 // Numbers and texts one after the other; a text is its length and its bytes.
