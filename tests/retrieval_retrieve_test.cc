@@ -31,8 +31,8 @@ std::vector<RetrievedInstance> Retrieved(const CategoryModel& model, const Categ
 }
 
 std::vector<int> NumbersOf(const std::vector<RetrievedInstance>& retrieved) {
-  std::vector<int> numbers;
-  for (const RetrievedInstance& r : retrieved) numbers.push_back(r.instance);
+  std::vector<int> numbers(retrieved.size());
+  for (size_t i = 0; i < numbers.size(); ++i) numbers[i] = retrieved[i].instance;
   return numbers;
 }
 
@@ -45,9 +45,9 @@ class FrameRetrieval : public ::testing::Test {
   }
   // All distances to the query, sorted.
   std::vector<double> Distances() const {
-    std::vector<double> distances;
-    for (int i = 0; i < instances_.size(); ++i)
-      distances.push_back((instances_.coefficients.col(i).cast<double>() - query_.coefficients).norm());
+    const Eigen::RowVectorXd norms =
+        (instances_.coefficients.cast<double>().colwise() - query_.coefficients).colwise().norm();
+    std::vector<double> distances(norms.begin(), norms.end());
     std::sort(distances.begin(), distances.end());
     return distances;
   }

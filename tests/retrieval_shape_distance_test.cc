@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 
 #include "retrieval/shape_distance.h"
 #include "support/frame_library.h"
@@ -120,9 +121,8 @@ TEST(Likeliest, WhatIsNotKnownDoesNotCount) {
   const CategoryInstances instances = FrameInstances(coefficients);
   const ShapeEvidence evidence{information, Eigen::Vector3d(0, 0, 0)};
   const std::vector<Neighbour> found = Likeliest(instances, evidence, 0, 0, 4);
-  std::vector<int> order;
-  for (const Neighbour& neighbour : found) order.push_back(neighbour.instance);
-  EXPECT_EQ(order, (std::vector<int>{1, 2, 0, 3})) << "equally likely ones as they are listed";
+  const std::array<int, 4> expected{1, 2, 0, 3};  // equally likely ones as they are listed
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(found.at(i).instance, expected[i]);
   EXPECT_EQ(found[0].distance, found[1].distance);
   EXPECT_NEAR(found[3].distance, 0.6, 1e-6) << "standard deviations";
 }

@@ -23,8 +23,8 @@ Map InTurns(size_t cameras) {
 }
 
 std::vector<size_t> CamerasOf(const std::vector<Sighting>& sightings) {
-  std::vector<size_t> cameras;
-  for (const Sighting& sighting : sightings) cameras.push_back(sighting.camera);
+  std::vector<size_t> cameras(sightings.size());
+  for (size_t i = 0; i < cameras.size(); ++i) cameras[i] = sightings[i].camera;
   return cameras;
 }
 

@@ -42,7 +42,9 @@ inline CategoryModel FrameModel() {
   model.spec = FrameSpec().category;
   model.mean = ShapeVector(FrameWireframe());
   model.basis = Eigen::MatrixXd::Zero(model.mean.size(), 3);
-  const auto mode = [&](int column, int edge) { return model.basis.col(column).segment<6>(6 * edge); };
+  const auto mode = [&](Eigen::Index column, Eigen::Index edge) {
+    return model.basis.col(column).segment<6>(6 * edge);
+  };
   mode(0, 0).x() = -0.5;
   mode(0, 1).x() = 0.5;
   mode(0, 2)(3) = 1;
