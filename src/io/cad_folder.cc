@@ -90,6 +90,7 @@ std::vector<CadModel> ReadSource(const fs::path& folder, const CadSource& source
     by_name[model.instance] = std::move(model);
   }
   std::vector<CadModel> models;
+  models.reserve(by_name.size());
   for (auto& [name, model] : by_name) models.push_back(std::move(model));
   return models;
 }

@@ -52,7 +52,7 @@ bool IsHeldOut(const CsvRow& row) {
 }
 
 Eigen::Vector3d SizeOf(const CsvRow& row) {
-  const Eigen::Vector3d size(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
+  Eigen::Vector3d size(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
   if ((size.array() > 0).all()) return size;
   throw InputError(row.At("a size is not positive; give metres along x, y and z"));
 }

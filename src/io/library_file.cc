@@ -26,6 +26,13 @@ constexpr const char* kRemedy = "build it again with 'armature retrieve --build'
   throw InputError(fmt::format("{}: {}; {}", file.string(), why, kRemedy));
 }
 
+void CheckModel(const fs::path& file, const CategoryInstances& instances, const CategoryModel& model) {
+  if (instances.model_checksum == ModelChecksum(model)) return;
+  throw InputError(
+      fmt::format("{}: its instances of {} are of another category model; name that with --categories, or {}",
+                  file.string(), Quoted(instances.category), kRemedy));
+}
+
 // Numbers and texts one after the other; a text is its length and its bytes.
 class Bytes {
  public:
@@ -168,10 +175,7 @@ InstanceLibrary ReadLibrary(const fs::path& file, const std::vector<CategoryMode
       return m.spec.name == instances.category;
     });
     if (model == models.end()) continue;
-    if (instances.model_checksum != ModelChecksum(*model)) {
-      Refuse(file, fmt::format("its {}s are of another category model; name that with --categories, or else",
-                               instances.category));
-    }
+    CheckModel(file, instances, *model);
     library.categories.push_back(std::move(instances));
   }
   return library;

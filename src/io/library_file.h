@@ -13,7 +13,7 @@
 namespace armature {
 
 // Written aside and renamed. Its root is stored relative to the file's folder where it can be. Throws
-// std::runtime_error when it cannot be written.
+// InputError when it cannot be written.
 void WriteLibrary(const InstanceLibrary& library, const std::filesystem::path& file);
 
 // Throws InputError naming the file and the remedy: missing, not a library, of another version, cut short,

@@ -12,6 +12,7 @@ namespace {
 
 std::string Joined(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(Fixed(value, 6));
   return fmt::format("{}", fmt::join(texts, ";"));
 }

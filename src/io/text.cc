@@ -92,7 +92,7 @@ std::vector<std::string> SplitFields(const std::string& line) {
 
 std::vector<double> ParseNumbers(const std::string& text, const std::string& where) {
   std::vector<double> numbers;
-  for (size_t start = 0; start < text.size();) {
+  for (size_t start = 0; !text.empty() && start <= text.size();) {
     const size_t end = std::min(text.find(';', start), text.size());
     numbers.push_back(ParseNumber(text.substr(start, end - start), where));
     start = end + 1;

@@ -9,7 +9,7 @@
 
 namespace armature {
 
-// The parts of the segments inside the box, those of at least min_length pixels, in the given order, at most
+// The parts of the segments inside the box, those of at least min_length pixels, the longest first, at most
 // max_count.
 std::vector<Segment> SegmentsInBox(const std::vector<Segment>& segments, const Box& box, double min_length,
                                    int max_count);

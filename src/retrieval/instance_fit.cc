@@ -57,6 +57,7 @@ InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& sp
   MapGraph graph = GraphOf(sightings, model);
   MapSolverOptions solver = options.solver;
   solver.max_iterations = options.refinement.iterations;
+  solver.shape_weight = 1;  // the sigma of the only mode, its size, is as it is given
   for (int round = 0; round < options.refinement.rounds; ++round) {
     Relinearise(frames, phi, round, options.box, options.resection, options.refinement, graph);
     SolveMapGraph(graph, solver);
@@ -69,7 +70,7 @@ InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& sp
                           Eigen::VectorXd::Zero(1)};
     fit.cost += ViewCost(frames[i].observations.front().view, at, fitted, options);
   }
-  if (!frames.empty()) fit.cost /= static_cast<double>(frames.size());
+  fit.cost /= static_cast<double>(frames.size());
   return fit;
 }
 

@@ -13,7 +13,7 @@
 
 namespace armature {
 
-// What the images show of one object of the map.
+// What the images show of one object of the map: at least one of them.
 struct ObjectSightings {
   // One observation each; its view's occluders are the faces of the map's other objects.
   std::vector<MapFrame> frames;
@@ -34,7 +34,7 @@ struct InstanceFitOptions {
 
 struct InstanceFit {
   double cost =
-      0;  // mean over the views: unexplained share of the visible edges, and the box; see CostOptions
+      0;  // mean over the views, of the visible edges' unexplained share and of the box; CostOptions
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // where it fits best, metres
   double scale = 1;                                                  // of the model
 };

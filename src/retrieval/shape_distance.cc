@@ -20,10 +20,13 @@ struct Metric {
   Eigen::VectorXd mean;
 };
 
+// That of a mode within 30 standard deviations of the category: less is as good as none, and what is left of
+// it once written to a file is rounding.
+constexpr double kLeastInformation = 1e-3;
+
 // In the eigenvectors of the information each direction is on its own: the variance 1/l gets sigma^2 more. A
 // direction with next to no information has no mean either.
 Metric MetricOf(const ShapeEvidence& evidence, double sigma, Eigen::Index modes) {
-  constexpr double kLeastInformation = 1e-6;
   const Eigen::Index all = evidence.information.rows(), rest = all - modes;
   Eigen::MatrixXd information = evidence.information.topLeftCorner(modes, modes);
   Eigen::VectorXd vector = evidence.vector.head(modes);

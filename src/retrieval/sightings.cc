@@ -60,7 +60,8 @@ ObjectSightings LookAt(const Map& map, size_t object, const std::vector<Sighting
 Eigen::Vector3d UpOf(const Map& map) {
   Eigen::Vector3d sum(0, 0, 0);
   for (const MapObject& object : map.objects) sum += object.T_world_object.linear().col(1);
-  return sum.norm() > 0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d(0, -1, 0);
+  if (sum.norm() == 0) return {0, -1, 0};
+  return sum.normalized();
 }
 
 }  // namespace armature

@@ -25,7 +25,7 @@ using ViewsOfCameras = std::map<size_t, std::vector<ObjectView>>;
 ObjectSightings LookAt(const Map& map, size_t object, const std::vector<Sighting>& sightings,
                        const ViewsOfCameras& views, const Eigen::Vector3d& up_world);
 
-// The mean of the objects' y axes, unit: what the map holds to be up.
+// The mean of the objects' y axes, unit: what the map holds to be up; without objects that of a level camera.
 Eigen::Vector3d UpOf(const Map& map);
 
 }  // namespace armature

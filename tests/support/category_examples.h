@@ -36,4 +36,24 @@ inline Wireframe FrameWireframe() {
   return wireframe;
 }
 
+// Frames that differ in width, in depth and in how far the bar's right end rises; all of them are centred.
+inline CategoryModel FrameModel() {
+  CategoryModel model;
+  model.spec = FrameSpec().category;
+  model.mean = ShapeVector(FrameWireframe());
+  model.basis = Eigen::MatrixXd::Zero(model.mean.size(), 3);
+  const auto mode = [&](Eigen::Index column, Eigen::Index edge) {
+    return model.basis.col(column).segment<6>(6 * edge);
+  };
+  mode(0, 0).x() = -0.5;
+  mode(0, 1).x() = 0.5;
+  mode(0, 2)(3) = 1;
+  mode(1, 0)(5) = mode(1, 1)(5) = 1;
+  mode(1, 2).z() = -0.5;
+  mode(2, 2)(4) = 1;
+  model.basis.colwise().normalize();
+  model.standard_deviations = Eigen::Vector3d(0.2, 0.1, 0.05);
+  return model;
+}
+
 }  // namespace armature::testing

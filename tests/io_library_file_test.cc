@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "io/library_file.h"
+#include "support/expect_input_error.h"
+#include "support/frame_library.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::ExpectInputError;
+using testing::FrameInstances;
+using testing::FrameModel;
+using testing::ReadFile;
+using testing::SomeCoefficients;
+using testing::TempFolder;
+
+CategoryModel Gates() {
+  CategoryModel model = FrameModel();
+  model.spec.name = "gate";
+  model.mean *= 2;
+  return model;
+}
+
+InstanceLibrary TwoCategories(const fs::path& root) {
+  CategoryInstances gates = FrameInstances(SomeCoefficients(2));
+  gates.category = "gate";
+  gates.model_checksum = ModelChecksum(Gates());
+  gates.ids[0] = "a name with blanks, commas and \xc3\xa4";
+  gates.geometries[1] = "";
+  return {root, {FrameInstances(SomeCoefficients(7)), gates}};
+}
+
+void ExpectSame(const CategoryInstances& a, const CategoryInstances& b) {
+  EXPECT_EQ(a.category, b.category);
+  EXPECT_EQ(a.model_checksum, b.model_checksum);
+  EXPECT_EQ(a.ids, b.ids);
+  EXPECT_EQ(a.geometries, b.geometries);
+  EXPECT_EQ(a.coefficients, b.coefficients);
+  EXPECT_EQ(a.sizes, b.sizes);
+  EXPECT_EQ(a.edges, b.edges);
+  EXPECT_EQ(a.size_sigmas, b.size_sigmas);
+  EXPECT_EQ(a.T_object_geometry, b.T_object_geometry);
+}
+
+TEST(LibraryFile, ComesBackBitByBit) {
+  const TempFolder folder;
+  const InstanceLibrary library = TwoCategories(folder / "cad");
+  WriteLibrary(library, folder / "library");
+  const InstanceLibrary read = ReadLibrary(folder / "library", {FrameModel(), Gates()});
+  ASSERT_EQ(read.categories.size(), 2);
+  ExpectSame(read.categories[0], library.categories[0]);
+  ExpectSame(read.categories[1], library.categories[1]);
+  EXPECT_EQ(read.root, folder / "cad");
+  WriteLibrary(read, folder / "again");
+  EXPECT_TRUE(ReadFile(folder / "again") == ReadFile(folder / "library"));
+}
+
+TEST(LibraryFile, AnEmptyLibraryComesBack) {
+  const TempFolder folder;
+  WriteLibrary({folder.path(), {}}, folder / "library");
+  EXPECT_TRUE(ReadLibrary(folder / "library", {FrameModel()}).categories.empty());
+}
+
+TEST(LibraryFile, ItsRootMovesWithIt) {
+  const TempFolder folder;
+  WriteLibrary(TwoCategories(folder / "old/data/cad"), folder / "old/runs/library");
+  fs::rename(folder / "old", folder / "new");
+  EXPECT_EQ(ReadLibrary(folder / "new/runs/library", {FrameModel()}).root, folder / "new/data/cad");
+}
+
+TEST(LibraryFile, CategoriesWithoutModelAreLeftOut) {
+  const TempFolder folder;
+  WriteLibrary(TwoCategories(folder.path()), folder / "library");
+  const InstanceLibrary read = ReadLibrary(folder / "library", {Gates()});
+  ASSERT_EQ(read.categories.size(), 1);
+  EXPECT_EQ(read.categories[0].category, "gate");
+}
+
+TEST(LibraryFile, AnotherModelsCoefficientsAreRefused) {
+  const TempFolder folder;
+  WriteLibrary(TwoCategories(folder.path()), folder / "library");
+  CategoryModel learnt_again = Gates();
+  learnt_again.standard_deviations *= 1.01;
+  ExpectInputError(
+      [&] {
+        ReadLibrary(folder / "library", {FrameModel(), learnt_again});
+      },
+      {"library", "gate", "another category model", "--categories", "armature retrieve --build"});
+}
+
+class BadLibraryFile : public ::testing::Test {
+ protected:
+  BadLibraryFile() {
+    WriteLibrary(TwoCategories(folder_.path()), folder_ / "library");
+    good_ = ReadFile(folder_ / "library");
+  }
+  // Each file is a new one: to replace one waits for the disk.
+  void ExpectRefused(const std::string& content, const std::string& text = "") {
+    const fs::path file = folder_.Write("bad" + std::to_string(++files_), content);
+    ExpectInputError(
+        [&] {
+          ReadLibrary(file, {FrameModel(), Gates()});
+        },
+        {file.filename(), text, "armature retrieve --build"});
+  }
+
+  TempFolder folder_;
+  std::string good_;
+
+ private:
+  int files_ = 0;
+};
+
+TEST_F(BadLibraryFile, Missing) {
+  ExpectInputError([&] { ReadLibrary(folder_ / "nowhere", {}); }, {"nowhere", "cannot be opened"});
+}
+
+TEST_F(BadLibraryFile, SomethingElse) {
+  ExpectRefused("", "is not a library of instances");
+  ExpectRefused("ply\nformat ascii 1.0\n", "is not a library of instances");
+}
+
+TEST_F(BadLibraryFile, OfAnotherVersion) {
+  std::string newer = good_;
+  newer[newer.find('\n') + 1] = 7;
+  ExpectRefused(newer, "is of version 7, not 1");
+}
+
+TEST_F(BadLibraryFile, CutShort) {
+  for (size_t size = 0; size < good_.size(); size += size < 60 ? 1 : 37) ExpectRefused(good_.substr(0, size));
+  ExpectRefused(good_.substr(0, good_.size() - 1), "cut short");
+  ExpectRefused(good_ + '\0', "damaged");
+}
+
+TEST_F(BadLibraryFile, AnyByteChanged) {
+  for (size_t at = 0; at < good_.size(); at += at < 120 ? 1 : 11) {
+    std::string flipped = good_;
+    flipped[at] = static_cast<char>(flipped[at] ^ 16);
+    ExpectRefused(flipped);
+  }
+}
+
+TEST_F(BadLibraryFile, WhereNoneCanBeWritten) {
+  const auto entries = [&] { return std::distance(fs::directory_iterator(folder_.path()), {}); };
+  const auto before = entries();
+  ExpectInputError(
+      [&] {
+        WriteLibrary({folder_.path(), {}}, folder_ / "library/below");
+      },
+      {"library/below", "cannot be written"});
+  EXPECT_EQ(entries(), before);
+  EXPECT_EQ(ReadFile(folder_ / "library"), good_);
+}
+
+}  // namespace
+}  // namespace armature
