@@ -7,24 +7,24 @@
 #include "geometry/mesh_shapes.h"
 #include "io/mesh_file.h"
 #include "support/expect_input_error.h"
+#include "support/mesh_files.h"
 #include "support/shared_data.h"
-#include "support/temp_folder.h"
 
 namespace armature {
 namespace {
 
+using testing::AreaOf;
 using testing::ExpectInputError;
+using testing::ExpectUnitSquare;
+using testing::kSquareVertices;
 
-// A unit square in the x-y plane: corners in order around it, as a quad.
-const std::string kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+using MeshFile = testing::MeshFiles;
 
 std::string PlyHead(const std::string& format, int vertices, int faces, const std::string& real = "float") {
   return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) + "\nproperty " + real +
          " x\nproperty " + real + " y\nproperty " + real + " z\nelement face " + std::to_string(faces) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
 }
-
-const std::string kSquareVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 template <typename T>
 std::string Bytes(T value, std::endian order = std::endian::little) {
@@ -41,87 +41,6 @@ std::string BinarySquare(std::endian order, const std::vector<int>& corners) {
   bytes += static_cast<char>(corners.size());
   for (const int corner : corners) bytes += Bytes(corner, order);
   return bytes;
-}
-
-double AreaOf(const TriangleMesh& mesh) {
-  double area = 0;
-  for (const auto& t : mesh.triangles.colwise()) {
-    const Eigen::Vector3d a = mesh.vertices.col(t[0]);
-    area += (mesh.vertices.col(t[1]) - a).cross(mesh.vertices.col(t[2]) - a).norm() / 2;
-  }
-  return area;
-}
-
-void ExpectUnitSquare(const TriangleMesh& mesh) {
-  EXPECT_EQ(mesh.vertices.cols(), 4);
-  EXPECT_EQ(mesh.size(), 2);
-  EXPECT_NEAR(AreaOf(mesh), 1, 1e-7);
-  EXPECT_EQ(mesh.vertices.col(2), Eigen::Vector3d(1, 1, 0));
-}
-
-class MeshFile : public ::testing::Test {
- protected:
-  TriangleMesh Read(const std::string& name, const std::string& content) const {
-    return ReadMesh(folder_.Write(name, content));
-  }
-  void ExpectRefused(const std::string& name, const std::string& content,
-                     const std::vector<std::string>& texts) const {
-    std::vector<std::string> all = texts;
-    all.push_back(name);
-    ExpectInputError([&] { Read(name, content); }, all);
-  }
-
-  testing::TempFolder folder_;
-};
-
-TEST_F(MeshFile, ObjFacesAreReadInEveryForm) {
-  for (const char* face : {"f 1 2 3 4", "f 1/1 2/2 3/3 4/4", "f 1//1 2//1 3//1 4//1",
-                           "f 1/1/1 2/2/1 3/3/1 4/4/1", "f -4 -3 -2 -1"}) {
-    ExpectUnitSquare(Read("a.obj", kSquareObj + face + "\n"));
-  }
-}
-
-TEST_F(MeshFile, ObjMayHaveMoreNormalsThanVerticesAndWhatIsNotAMesh) {
-  std::string text = "mtllib none.mtl\no chair\n" + kSquareObj + "vt 0 0\n";
-  for (int i = 0; i < 100; ++i) text += "vn 0 0 1\n";
-  ExpectUnitSquare(Read("a.OBJ", text + "usemtl wood\ns off\nf 1//1 2//50 3//99 4//100 # all\n"));
-}
-
-TEST_F(MeshFile, ObjBadInput) {
-  ExpectRefused("a.obj", "", {"no face"});
-  ExpectRefused("a.obj", kSquareObj, {"no face"});
-  ExpectRefused("a.obj", kSquareObj + "f 1 2\n", {"a.obj:5", "2 corners"});
-  ExpectRefused("a.obj", kSquareObj + "f 1 2 5\n", {"a.obj:5", "vertex 4", "4 vertices"});
-  ExpectRefused("a.obj", kSquareObj + "f 1 2 -5\n", {"a.obj:5", "vertex -1"});
-  ExpectRefused("a.obj", kSquareObj + "f 0 1 2\n", {"a.obj:5", "counts from 1"});
-  ExpectRefused("a.obj", kSquareObj + "f 1 2 x\n", {"a.obj:5", "'x'"});
-  ExpectRefused("a.obj", kSquareObj + "f /1 2 3\n", {"a.obj:5", "''"});
-  ExpectRefused("a.obj", "v 0 0\n", {"a.obj:1", "x, y and z"});
-  ExpectRefused("a.obj", "v 0 nan 0\n", {"a.obj:1", "'nan'"});
-}
-
-TEST_F(MeshFile, OffHeadMayBeGluedToTheCounts) {
-  const std::string body = kSquareVertices + "3 0 1 2 255 0 0\n3 0 2 3\n";
-  for (const char* head :
-       {"OFF\n4 2 0\n", "OFF4 2 0\n", "OFF 4 2\n", "OFF # a square\n\n# counts\n4 2 0\n"}) {
-    ExpectUnitSquare(Read("a.off", head + body));
-  }
-  ExpectUnitSquare(Read("a.off", "OFF\n4 1 0\n" + kSquareVertices + "4 0 1 2 3\n"));
-}
-
-TEST_F(MeshFile, OffBadInput) {
-  ExpectRefused("a.off", "", {"start with OFF"});
-  ExpectRefused("a.off", "ply\n", {"start with OFF"});
-  ExpectRefused("a.off", "OFF\n", {"ends after OFF"});
-  ExpectRefused("a.off", "OFF\n4\n", {"a.off:2", "numbers of vertices, faces"});
-  ExpectRefused("a.off", "OFF\n-4 2 0\n", {"a.off:2"});
-  ExpectRefused("a.off", "OFF\n2000000000 2000000000 0\n", {"2000000000", "only 0 lines"});
-  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices, {"only 4 lines"});
-  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "3 0 1 4\n", {"a.off:7", "vertex 4"});
-  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "5 0 1 2 3\n", {"a.off:7", "5 corners"});
-  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "-1 0 1 2\n", {"a.off:7", "-1 corners"});
-  ExpectRefused("a.off", "OFF\n1 1 0\n0 inf 0\n3 0 0 0\n", {"a.off:3", "'inf'"});
-  ExpectRefused("a.off", "OFF\n1 1 0\n0 0\n3 0 0 0\n", {"a.off:3", "x, y and z"});
 }
 
 TEST_F(MeshFile, PlyIsReadAsTextAndInBothByteOrders) {

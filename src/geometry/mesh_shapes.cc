@@ -68,7 +68,7 @@ TriangleMesh BarMesh(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double 
 }
 
 TriangleMesh BallMesh(const Eigen::Vector3d& centre, double radius) {
-  static const TriangleMesh unit = Refined(UnitIcosahedron());
+  static const TriangleMesh unit = Refined(Refined(UnitIcosahedron()));
   TriangleMesh mesh = unit;
   mesh.vertices = (radius * unit.vertices).colwise() + centre;
   return mesh;

@@ -14,7 +14,7 @@ TriangleMesh BoxMesh(const Eigen::Vector3d& centre, const Eigen::Matrix3d& half_
 // A square bar from a to b, which are different points.
 TriangleMesh BarMesh(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double thickness);
 
-// An icosahedron refined to 80 triangles.
+// An icosahedron refined to 320 triangles.
 TriangleMesh BallMesh(const Eigen::Vector3d& centre, double radius);
 
 }  // namespace armature
