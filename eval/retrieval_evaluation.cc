@@ -82,17 +82,20 @@ ShapeQuery MeanShape(const CategoryModel& model) {
 
 }  // namespace
 
-// A query with what is known of its answer.
+// A query with what is known of its answer. Without instances of its category in the library: nothing.
 struct RetrievalEvaluation::Asked {
   const RetrievalQuery* query = nullptr;
   const CategoryModel* model = nullptr;
-  const CategoryInstances* instances = nullptr;  // of the library; null: it has none of the category
-  int true_instance = -1;                        // among them
-  std::optional<ShapeQuery> true_shape;          // none: the true model is not known
-  std::optional<DistancesFromTruth> distances;   // there where `instances` are
+  const CategoryInstances* instances = nullptr;    // of the library
+  int true_instance = -1;                          // among them
+  const std::vector<bool>* has_surface = nullptr;  // one an instance
+  std::optional<ShapeQuery> true_shape;            // none: the true model is not known
+  std::optional<DistancesFromTruth> distances;     // there where `instances` are
 
   std::vector<int> Others(std::vector<int> ranking) const {
-    std::erase(ranking, true_instance);
+    std::erase_if(ranking, [this](int instance) {
+      return instance == true_instance || !(*has_surface)[static_cast<size_t>(instance)];
+    });
     return ranking;
   }
 };
@@ -101,23 +104,31 @@ RetrievalEvaluation::RetrievalEvaluation(const std::vector<RetrievalQuery>& quer
                                          const std::vector<CategoryModel>& models,
                                          const InstanceLibrary& library, const InstanceLibrary& true_models,
                                          int points)
-    : surfaces_(library, points) {
-  for (const RetrievalQuery& query : queries) {
-    Asked asked{&query, &ModelOf(models, query.category), library.Of(query.category), -1, {}, {}};
-    std::optional<SurfacePoints> true_surface;
-    const CategoryInstances* known = true_models.Of(query.category);
-    const int model = known ? known->Find(query.true_model) : -1;
-    if (model >= 0) {
-      const Eigen::Vector3d scale = query.true_size.cwiseQuotient(known->sizes.col(model).cast<double>());
-      asked.true_shape = TrueShape(*asked.model, known->WireframeOf(model), scale, query.true_size);
-      true_surface = SurfaceOf(true_models, *known, model, scale, points);
-    }
-    if (asked.instances) {
-      asked.true_instance = asked.instances->Find(query.true_model);
-      asked.distances.emplace(std::move(true_surface), *asked.instances, surfaces_);
-    }
-    asked_.push_back(std::move(asked));
+    : library_(library), points_(points), surfaces_(library, points) {
+  for (const CategoryInstances& instances : library.categories) {
+    std::vector<bool>& has_surface = has_surface_[instances.category];
+    for (int i = 0; i < instances.size(); ++i) has_surface.push_back(HasSurface(library, instances, i));
   }
+  for (const RetrievalQuery& query : queries) Add(query, ModelOf(models, query.category), true_models);
+}
+
+void RetrievalEvaluation::Add(const RetrievalQuery& query, const CategoryModel& model,
+                              const InstanceLibrary& true_models) {
+  Asked& asked = asked_.emplace_back();
+  asked.query = &query;
+  asked.model = &model;
+  asked.instances = library_.Of(query.category);
+  if (!asked.instances) return;
+  asked.true_instance = asked.instances->Find(query.true_model);
+  asked.has_surface = &has_surface_.at(query.category);
+  std::optional<SurfacePoints> true_surface;
+  const CategoryInstances* known = true_models.Of(query.category);
+  if (const int i = known ? known->Find(query.true_model) : -1; i >= 0) {
+    const Eigen::Vector3d scale = query.true_size.cwiseQuotient(known->sizes.col(i).cast<double>());
+    asked.true_shape = TrueShape(model, known->WireframeOf(i), scale, query.true_size);
+    true_surface = SurfaceOf(true_models, *known, i, scale, points_);
+  }
+  asked.distances.emplace(std::move(true_surface), *asked.instances, surfaces_);
 }
 
 RetrievalEvaluation::~RetrievalEvaluation() = default;

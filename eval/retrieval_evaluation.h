@@ -2,8 +2,9 @@
 // How good the retrieved CAD models are: the true model's rank, and how far others' surfaces are from its.
 #pragma once
 
-#include <memory>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "eval/retrieval_queries.h"
@@ -12,7 +13,8 @@
 
 namespace armature {
 
-// One query by one way of retrieval. "Others": the instances of its category without the true one.
+// One query by one way of retrieval. "Others": the instances of its category without the true one, and
+// without those that have no surface.
 struct RetrievalOutcome {
   std::optional<int> rank;                      // of the true model, from 1; none: it is not in the library
   int first_other = -1;                         // the best of the others; -1: there are none
@@ -44,9 +46,13 @@ class RetrievalEvaluation {
  private:
   struct Asked;
 
+  void Add(const RetrievalQuery& query, const CategoryModel& model, const InstanceLibrary& true_models);
   RetrievalOutcome Judge(Asked& asked, const std::vector<int>& ranking, const std::vector<int>& by_truth);
 
+  const InstanceLibrary& library_;
+  int points_;
   LibrarySurfaces surfaces_;
+  std::map<std::string, std::vector<bool>> has_surface_;  // by category, one an instance
   std::vector<Asked> asked_;
 };
 

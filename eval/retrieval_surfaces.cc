@@ -10,19 +10,19 @@ namespace {
 
 constexpr std::uint64_t kSurfaceSeed = 1;
 
-// Of "FILE" or "FILE#ID".
-bool IsThere(const std::filesystem::path& root, const std::string& geometry) {
-  return !geometry.empty() && std::filesystem::exists(root / geometry.substr(0, geometry.rfind('#')));
-}
-
 }  // namespace
+
+bool HasSurface(const InstanceLibrary& library, const CategoryInstances& instances, int instance) {
+  const std::string& geometry = instances.geometries[static_cast<size_t>(instance)];
+  return !geometry.empty() && std::filesystem::exists(library.root / geometry.substr(0, geometry.rfind('#')));
+}
 
 std::optional<SurfacePoints> SurfaceOf(const InstanceLibrary& library, const CategoryInstances& instances,
                                        int instance, const Eigen::Vector3d& scale, int points) {
-  const std::string& geometry = instances.geometries[static_cast<size_t>(instance)];
-  if (!IsThere(library.root, geometry)) return std::nullopt;
+  if (!HasSurface(library, instances, instance)) return std::nullopt;
+  const std::filesystem::path geometry = library.root / instances.geometries[static_cast<size_t>(instance)];
   const Eigen::Affine3d T = Eigen::Scaling(scale) * instances.TransformOf(instance);
-  return SurfacePoints(SampleSurface(Moved(T, ReadGeometry(library.root / geometry)), points, kSurfaceSeed));
+  return SurfacePoints(SampleSurface(Moved(T, ReadGeometry(geometry)), points, kSurfaceSeed));
 }
 
 const SurfacePoints* LibrarySurfaces::Of(const CategoryInstances& instances, int instance) {

@@ -17,8 +17,11 @@ namespace armature {
 constexpr int kSurfacePoints = 8000;        // on each surface
 constexpr double kSurfaceThreshold = 0.02;  // metres, of the F-score
 
+// Whether the instance has a surface, and its file is there.
+bool HasSurface(const InstanceLibrary& library, const CategoryInstances& instances, int instance);
+
 // Points on the instance's surface in its centred object frame, metres, stretched by `scale` along the axes.
-// None: it has no surface, or the file is not there. Throws InputError: a malformed file.
+// None where it has none. Throws InputError: a malformed file.
 std::optional<SurfacePoints> SurfaceOf(const InstanceLibrary& library, const CategoryInstances& instances,
                                        int instance, const Eigen::Vector3d& scale, int points);
 

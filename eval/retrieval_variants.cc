@@ -14,7 +14,7 @@ RetrievalOptions Plain(const FeatureOptions& features) {
   return options;
 }
 
-std::string FirstModes(int modes) { return fmt::format("first {} mode{}", modes, modes == 1 ? "" : "s"); }
+std::string FirstModes(int modes) { return modes == 1 ? "first mode" : fmt::format("first {} modes", modes); }
 
 RetrievalVariant PlainWithModes(int modes) {
   return {fmt::format("{}, {}", kPlainVariant, FirstModes(modes)), Plain({.modes = modes})};

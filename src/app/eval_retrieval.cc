@@ -13,6 +13,7 @@
 #include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/retrieval_tables.h"
+#include "eval/retrieval_variant_tables.h"
 #include "io/cad_folder.h"
 #include "io/errors.h"
 #include "io/library_file.h"
@@ -158,8 +159,8 @@ Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalAr
   EvaluateVariants(VariantsForShapes(), evaluation, evaluated);
   return LibraryTable(
       evaluated, models, library,
-      fmt::format("every {}th instance of a category, each of its coefficients with noise of {:g} "
-                  "standard deviations (seed {})",
+      fmt::format("one in {} instances of a category, each of its coefficients with noise of {:g} standard "
+                  "deviations, seed {}",
                   arguments.every, arguments.noise, arguments.seed));
 }
 
