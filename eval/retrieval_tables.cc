@@ -27,6 +27,26 @@ std::vector<Cell> SummaryCells(std::vector<Cell> row, const EvaluatedQueries& ev
   return row;
 }
 
+std::vector<std::string> SummaryColumns() {
+  return {"run",
+          "sequence",
+          "category",
+          "queries",
+          "in library",
+          "top-1 [%]",
+          "top-5 [%]",
+          "MRR",
+          "compared",
+          "Chamfer [cm]",
+          "best of 5",
+          "by true shape",
+          "ratio",
+          "random",
+          "mean shape",
+          "F-score",
+          "F-score by true shape"};
+}
+
 // A row a category, and one of all of them where they are several.
 void PushCategories(const std::string& run, const std::string& sequence, const EvaluatedQueries& evaluated,
                     const QuerySet& among, Table& table) {
@@ -52,23 +72,7 @@ std::string IdOf(const InstanceLibrary& library, const std::string& category, in
 Table RetrievalTable(const EvaluatedQueries& evaluated) {
   Table table;
   table.title = "CAD retrieval";
-  table.columns = {"run",
-                   "sequence",
-                   "category",
-                   "queries",
-                   "in library",
-                   "top-1 [%]",
-                   "top-5 [%]",
-                   "MRR",
-                   "compared",
-                   "Chamfer [cm]",
-                   "best of 5",
-                   "by true shape",
-                   "ratio",
-                   "random",
-                   "mean shape",
-                   "F-score",
-                   "F-score by true shape"};
+  table.columns = SummaryColumns();
   const QuerySet all = AllQueries(evaluated);
   for (const std::string& run : ValuesOf(evaluated, all, &RetrievalQuery::run)) {
     const QuerySet of_run = Where(evaluated, all, &RetrievalQuery::run, run);
@@ -78,17 +82,16 @@ Table RetrievalTable(const EvaluatedQueries& evaluated) {
                      table);
     if (sequences.size() > 1) PushCategories(run, "all", evaluated, of_run, table);
   }
-  AppendNotes(
-      {"queries: objects of the map; the true one is that of most of its observations, wherever it stands."},
-      table);
+  AppendNotes({"queries: objects of the map; the true one is that of most of its observations, wherever it",
+               "  stands."},
+              table);
   AppendNotes(RankNotes(), table);
   AppendNotes(DistanceNotes(), table);
-  AppendNotes({"random: expected Chamfer of a random pick. mean shape: Chamfer of the model nearest to the "
-               "category's mean.",
-               "F-score: at 2 cm: the share of the retrieved surface's points within 2 cm of the true one "
-               "and the share the",
-               "  other way, their harmonic mean."},
-              table);
+  AppendNotes(
+      {"random: expected Chamfer of a random pick. mean shape: of the model nearest to the category's mean.",
+       "F-score: at 2 cm: the share of the retrieved surface's points within 2 cm of the true one and the",
+       "  share the other way, their harmonic mean."},
+      table);
   return table;
 }
 
@@ -112,9 +115,8 @@ Table EachQueryTable(const EvaluatedQueries& evaluated, const InstanceLibrary& l
   }
   AppendNotes(
       {"rank: of the true model among all of its category; -: it is not in the library. k-NN: whitened.",
-       "first other: the first of the re-ranked without the true model and those without a surface; its "
-       "Chamfer",
-       "  distance is to the true model's surface."},
+       "first other: the first of the re-ranked that has a surface and is not the true model; Chamfer: of",
+       "  its surface from that of the true model."},
       table);
   return table;
 }

@@ -34,11 +34,9 @@ void PushVariants(const EvaluatedQueries& evaluated, const std::vector<CategoryM
 }
 
 std::vector<std::string> VariantNotes() {
-  return {
-      "k-NN: nearest by the coefficients; raw: in metres of the modes, whitened: in standard deviations, "
-      "with",
-      "  size: the bounding box's size as three more dimensions; first n modes: the later ones left out.",
-      "F-score: at 2 cm, of the first retrieved."};
+  return {"k-NN: nearest by the coefficients; raw: in metres of the modes; whitened: in standard deviations;",
+          "  with size: the bounding box's size as three more dimensions; first n modes: without the others.",
+          "F-score: at 2 cm, of the first retrieved."};
 }
 
 }  // namespace
@@ -48,10 +46,10 @@ Table RetrievalVariantTable(const EvaluatedQueries& evaluated, const std::vector
   table.title = "CAD retrieval by variant, all sequences";
   PushVariants(evaluated, models, table);
   AppendNotes(VariantNotes(), table);
-  AppendNotes({"covariance: distances weighed with that of the estimated coefficients. re-ranked: the first "
-               "candidates by",
-               "  how well their own edges explain the images."},
-              table);
+  AppendNotes(
+      {"covariance: distances weighed with that of the estimated coefficients. re-ranked: the first",
+       fmt::format("  {} by how well their own edges explain the images.", RetrievalOptions().candidates)},
+      table);
   AppendNotes(RankNotes(), table);
   AppendNotes(DistanceNotes(), table);
   return table;
