@@ -138,10 +138,14 @@ std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
   EvaluateVariants(variants, evaluation, evaluated);
   std::vector<Table> tables;
   for (const std::string& name : names) {
-    if (name == "retrieval") evaluated.baselines = evaluation.Baselines();
-    tables.push_back(name == "retrieval"            ? RetrievalTable(evaluated)
-                     : name == "retrieval_variants" ? RetrievalVariantTable(evaluated, models)
-                                                    : EachQueryTable(evaluated, library));
+    if (name == "retrieval") {
+      evaluated.baselines = evaluation.Baselines();
+      tables.push_back(RetrievalTable(evaluated));
+    } else if (name == "retrieval_variants") {
+      tables.push_back(RetrievalVariantTable(evaluated, models));
+    } else {
+      tables.push_back(EachQueryTable(evaluated, library));
+    }
   }
   return tables;
 }
