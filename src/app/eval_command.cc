@@ -174,7 +174,7 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   eval->add_flag("--json", a.json, "the same as --format json");
   AddTrajectoryArguments(*eval, a.trajectories);
   AddObjectArguments(*eval, a.objects);
-  AddRetrievalArguments(*eval, a.retrieval);
+  AddRetrievalTableArguments(*eval, a.retrieval);
   AddCategoriesArguments(*eval, a.configuration);
   eval->callback([arguments, &exit_status] { exit_status = RunEval(*arguments); });
 }

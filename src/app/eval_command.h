@@ -32,7 +32,7 @@ struct EvalArguments {
   ObservationArguments observations;
   TrajectoryArguments trajectories;
   ObjectArguments objects;
-  RetrievalArguments retrieval;
+  RetrievalTableArguments retrieval;
   ConfigurationArguments configuration;  // its folder of category models
 };
 

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 
+#include "app/configuration.h"
 #include "app/interrupt.h"
 #include "app/run_map.h"
 #include "eval/category_lookup.h"
@@ -23,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InstanceLibrary ReadNamedLibrary(const RetrievalArguments& arguments,
+InstanceLibrary ReadNamedLibrary(const RetrievalTableArguments& arguments,
                                  const std::vector<CategoryModel>& models) {
   if (!arguments.library.empty()) return ReadLibrary(arguments.library, models);
   throw InputError(
@@ -101,7 +102,7 @@ void EvaluateVariants(const std::vector<RetrievalVariant>& variants, RetrievalEv
   }
 }
 
-void CheckArguments(const RetrievalArguments& arguments) {
+void CheckArguments(const RetrievalTableArguments& arguments) {
   if (!(arguments.noise >= 0) || std::isinf(arguments.noise))
     throw InputError(fmt::format("--noise {:g}: give standard deviations, 0 or more", arguments.noise));
   if (arguments.every < 1) throw InputError(fmt::format("--every {}: give 1 or more", arguments.every));
@@ -109,7 +110,7 @@ void CheckArguments(const RetrievalArguments& arguments) {
 
 }  // namespace
 
-void AddRetrievalArguments(CLI::App& command, RetrievalArguments& a) {
+void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& a) {
   command
       .add_option(
           "--library", a.library,
@@ -126,7 +127,7 @@ void AddRetrievalArguments(CLI::App& command, RetrievalArguments& a) {
 std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
                                          const std::vector<CategoryModel>& models,
                                          const std::vector<std::string>& names, const fs::path& cad,
-                                         const RetrievalArguments& arguments) {
+                                         const RetrievalTableArguments& arguments) {
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
   const InstanceLibrary true_models =
       cad.empty() ? library : BuildLibrary(models, ReadCadFolder(cad, SpecsOf(models)), cad);
@@ -150,7 +151,7 @@ std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
   return tables;
 }
 
-Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalArguments& arguments) {
+Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments) {
   CheckArguments(arguments);
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
   EvaluatedQueries evaluated;

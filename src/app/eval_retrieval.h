@@ -14,7 +14,7 @@
 
 namespace armature {
 
-struct RetrievalArguments {
+struct RetrievalTableArguments {
   std::filesystem::path library;  // file of instances; empty: none, and no tables
   // Of the library's own instances as queries.
   double noise = 0.3;      // standard deviations, on each coefficient
@@ -26,7 +26,7 @@ struct RetrievalArguments {
 inline const std::vector<std::string> kRetrievalTableNames{"retrieval", "retrieval_variants", "each_query"};
 inline constexpr const char* kLibraryTableName = "library";
 
-void AddRetrievalArguments(CLI::App& command, RetrievalArguments& arguments);
+void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& arguments);
 
 // The named tables, each over all runs. `cad`: folder of the true CAD models, also of those that the library
 // does not have; empty: the library has them. Throws InputError: no library, one that is not of the models,
@@ -35,10 +35,10 @@ std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
                                          const std::vector<CategoryModel>& models,
                                          const std::vector<std::string>& names,
                                          const std::filesystem::path& cad,
-                                         const RetrievalArguments& arguments);
+                                         const RetrievalTableArguments& arguments);
 
 // The library's instances as queries, without any run. Throws InputError: no library, one that is not of the
 // models, a bad argument.
-Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalArguments& arguments);
+Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments);
 
 }  // namespace armature
