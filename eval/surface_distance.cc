@@ -5,16 +5,14 @@
 #include <pcl/point_types.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "eval/seeded_random.h"
 
 namespace armature {
 namespace {
 
 using Tree3 = pcl::KdTreeFLANN<pcl::PointXYZ>;
-
-// Uniform in [0, 1), the same on every platform.
-double Uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
 
 struct Triangle {
   Eigen::Vector3d a, ab, ac;
@@ -29,8 +27,8 @@ Triangle TriangleOf(const TriangleMesh& mesh, Eigen::Index i) {
 }
 
 // Even over the triangle: Osada et al., Shape distributions, 2002.
-Eigen::Vector3f PointOn(const Triangle& triangle, std::mt19937_64& engine) {
-  const double root = std::sqrt(Uniform(engine)), along = Uniform(engine);
+Eigen::Vector3f PointOn(const Triangle& triangle, SeededRandom& random) {
+  const double root = std::sqrt(random.Uniform()), along = random.Uniform();
   return (triangle.a + root * (1 - along) * triangle.ab + root * along * triangle.ac).cast<float>();
 }
 
@@ -51,14 +49,14 @@ double ShareWithin(const Eigen::VectorXf& distances, double threshold) {
 
 Eigen::Matrix3Xf SampleSurface(const TriangleMesh& mesh, int count, std::uint64_t seed) {
   const std::vector<double> areas = AreasUpTo(mesh);
-  std::mt19937_64 engine(seed);
+  SeededRandom random(seed);
   Eigen::Matrix3Xf points(3, count);
   // One point in each of `count` equal pieces of the area, in the order of the triangles.
   Eigen::Index triangle = 0;
   for (int i = 0; i < count; ++i) {
-    const double area = areas.back() * (i + Uniform(engine)) / count;
+    const double area = areas.back() * (i + random.Uniform()) / count;
     while (triangle + 1 < mesh.size() && areas[static_cast<size_t>(triangle)] <= area) ++triangle;
-    points.col(i) = PointOn(TriangleOf(mesh, triangle), engine);
+    points.col(i) = PointOn(TriangleOf(mesh, triangle), random);
   }
   return points;
 }

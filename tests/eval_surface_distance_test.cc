@@ -91,9 +91,10 @@ TEST(SurfaceDistances, PrecisionIsOfTheRetrievedAndRecallOfTheTrueSurface) {
 }
 
 TEST(SurfaceDistances, AreThoseOfTheNearestPoint) {
-  const SurfacePoints points((Eigen::Matrix3Xf(3, 3) << 0, 1, 5, 0, 0, 0, 0, 0, 0).finished());
-  const Eigen::Matrix3Xf queries = (Eigen::Matrix3Xf(3, 2) << 0.9f, 5, 0, 3, 0, 4).finished();
-  const Eigen::VectorXf distances = points.DistancesOf(queries);
+  Eigen::Matrix3Xf points(3, 3), queries(3, 2);
+  points << 0, 1, 5, 0, 0, 0, 0, 0, 0;
+  queries << 0.9f, 5, 0, 3, 0, 4;
+  const Eigen::VectorXf distances = SurfacePoints(points).DistancesOf(queries);
   EXPECT_NEAR(distances[0], 0.1, 1e-6);
   EXPECT_NEAR(distances[1], 5, 1e-6);
 }

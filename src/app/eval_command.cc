@@ -81,6 +81,14 @@ std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vecto
                             asked.empty() ? kObjectTableNames : asked, !asked.empty(), objects);
 }
 
+std::vector<Table> RetrievalTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+  std::vector<std::string> names = Asked(kRetrievalTableNames, arguments);
+  if (arguments.tables.empty() && !arguments.retrieval.library.empty()) names = {"retrieval"};
+  if (names.empty()) return {};
+  return RetrievalTablesOfRuns(runs, LoadModels(arguments.configuration), names, arguments.observations.cad,
+                               arguments.retrieval);
+}
+
 std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat format) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
   std::vector<Table> tables;
@@ -90,7 +98,8 @@ std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat form
   add(ObservationTables(arguments, runs));
   add(TrajectoryTables(arguments, runs, format));
   add(ObjectTables(arguments, runs));
-  if (!tables.empty()) return tables;
+  add(RetrievalTables(arguments, runs));
+  if (!tables.empty() || IsAsked(kLibraryTableName, arguments)) return tables;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "
       "--groundtruth",
@@ -110,7 +119,28 @@ std::vector<Table> TablesOfFiles(const EvalArguments& arguments, TableFormat for
   }
   if (!arguments.observations.raw.empty())
     throw InputError("--raw: is of detections; use --raw-trajectory with files");
+  if (!arguments.retrieval.library.empty())
+    throw InputError("--library: is for the objects of runs; trajectory files have none");
   return TrajectoryTablesOfFiles(arguments.runs, arguments.ground_truth, arguments.trajectories, format);
+}
+
+std::vector<Table> TablesWithoutRuns(const EvalArguments& arguments) {
+  const auto& asked = arguments.tables;
+  const bool of_library = asked.empty() ? !arguments.retrieval.library.empty()
+                                        : asked == std::vector<std::string>{kLibraryTableName};
+  if (!of_library)
+    throw InputError(
+        "eval: no run is given; name run folders, or --library FILE for the table 'library' alone");
+  return {TableOfLibrary(LoadModels(arguments.configuration), arguments.retrieval)};
+}
+
+std::vector<Table> TablesOf(const EvalArguments& arguments, TableFormat format) {
+  if (arguments.runs.empty()) return TablesWithoutRuns(arguments);
+  if (AreTrajectoryFiles(arguments.runs)) return TablesOfFiles(arguments, format);
+  std::vector<Table> tables = TablesOfRuns(arguments, format);
+  if (IsAsked(kLibraryTableName, arguments))
+    tables.push_back(TableOfLibrary(LoadModels(arguments.configuration), arguments.retrieval));
+  return tables;
 }
 
 }  // namespace
@@ -118,9 +148,7 @@ std::vector<Table> TablesOfFiles(const EvalArguments& arguments, TableFormat for
 int RunEval(const EvalArguments& arguments) {
   const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
   CheckTableNames(arguments.tables);
-  const std::vector<Table> tables =
-      AreTrajectoryFiles(arguments.runs) ? TablesOfFiles(arguments, format) : TablesOfRuns(arguments, format);
-  fmt::print("{}", FormatTables(tables, format));
+  fmt::print("{}", FormatTables(TablesOf(arguments, format), format));
   return 0;
 }
 
@@ -128,8 +156,9 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<EvalArguments>();
   EvalArguments& a = *arguments;
   CLI::App* eval = app.add_subcommand("eval", "Compare runs with the ground truth of their sequences");
-  eval->add_option("RUN", a.runs, "run folders, or folders of run folders; or trajectory files")
-      ->required()
+  eval->add_option("RUN", a.runs,
+                   "run folders, or folders of run folders; or trajectory files; none: "
+                   "--library alone")
       ->type_name("PATH");
   eval->add_option("--groundtruth", a.ground_truth,
                    "sequence folders with ground truth, or folders of such (default: where the run says); "
@@ -145,6 +174,7 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   eval->add_flag("--json", a.json, "the same as --format json");
   AddTrajectoryArguments(*eval, a.trajectories);
   AddObjectArguments(*eval, a.objects);
+  AddRetrievalTableArguments(*eval, a.retrieval);
   AddCategoriesArguments(*eval, a.configuration);
   eval->callback([arguments, &exit_status] { exit_status = RunEval(*arguments); });
 }

@@ -10,16 +10,19 @@
 #include "app/configuration.h"
 #include "app/eval_objects.h"
 #include "app/eval_observations.h"
+#include "app/eval_retrieval.h"
 #include "app/eval_trajectories.h"
 
 namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
-inline const std::vector<std::string> kTableNames{"observations", "edges",  "trajectory", "objects",
-                                                  "each_object",  "normal", "paper"};
+inline const std::vector<std::string> kTableNames{
+    "observations", "edges",     "trajectory",         "objects",    "each_object",    "normal",
+    "paper",        "retrieval", "retrieval_variants", "each_query", kLibraryTableName};
 
 struct EvalArguments {
-  std::vector<std::filesystem::path> runs;  // run folders or folders of such; or trajectory files alone
+  // Run folders or folders of such; or trajectory files alone; empty: of the library alone.
+  std::vector<std::filesystem::path> runs;
   // Sequence folders with ground truth, or folders of such; empty: where each run says its sequence is. For
   // trajectory files: one trajectory file.
   std::vector<std::filesystem::path> ground_truth;
@@ -29,11 +32,13 @@ struct EvalArguments {
   ObservationArguments observations;
   TrajectoryArguments trajectories;
   ObjectArguments objects;
+  RetrievalTableArguments retrieval;
   ConfigurationArguments configuration;  // its folder of category models
 };
 
 // Prints two tables of observations, one of edges where the truth has them, one of trajectories and three of
-// objects a sequence, and one of objects beside the paper's. Returns the exit status; throws InputError.
+// objects a sequence, one of objects beside the paper's, and one of retrieval where a library is named.
+// Without runs: that of the library alone. Returns the exit status; throws InputError.
 int RunEval(const EvalArguments& arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.
