@@ -23,8 +23,10 @@ RetrievalOptions AllCandidates(RetrievalOptions options) {
 
 InstanceRanking::InstanceRanking(const CategoryModel& model, const CategoryInstances& instances,
                                  const RetrievalOptions& options)
-    : by_shape_(model, instances, AllByShape(options, instances.size())) {
-  if (options.rerank) reranked_.emplace(model, instances, AllCandidates(options));
+    : by_shape_(model, instances, AllByShape(options, instances.size()),
+                BuildIndex(model, instances, options)) {
+  if (options.rerank)
+    reranked_.emplace(model, instances, AllCandidates(options), BuildIndex(model, instances, options));
 }
 
 std::vector<int> InstanceRanking::Of(const ShapeQuery& query, const ObjectSightings* sightings) const {
