@@ -46,24 +46,23 @@ std::vector<Cell> RowOf(const NamedEvaluation& run, const std::string& category)
 
 std::vector<std::string> Definitions() {
   return {
-      "detections: those of a true object. matches: rows of associations.csv of those of them with a pose,",
-      "  whatever its status.",
+      "detections: those of a true object. matches: rows of associations.csv of those of them with a pose, "
+      "whatever its status.",
       fmt::format(
-          "true edges: those of the detected objects with at least {} px in the image and not hidden;",
-          kLeastVisiblePixels),
-      fmt::format("  by edges_gt.csv also with at least {:g} % of their part in the image not hidden.",
-                  100 * kLeastVisibleShare),
-      "precision: share of the matches that are right: on the object's true edge of that name, under the",
+          "true edges: those of the detected objects with at least {} px in the image and not hidden; by "
+          "edges_gt.csv also with at least {:g} % of their part in the image not hidden.",
+          kLeastVisiblePixels, 100 * kLeastVisibleShare),
       fmt::format(
-          "  nearest symmetric turn. Both ends within {:g} px of its line, at most {:g} degrees apart, side",
+          "precision: share of the matches that are right: on the object's true edge of that name, under "
+          "the nearest symmetric turn. Both ends within {:g} px of its line, at most {:g} degrees apart, "
+          "side by side. By edges_gt.csv a match on an edge of which nothing is visible is wrong.",
           kOnEdge.distance, kOnEdge.angle_deg),
-      "  by side. By edges_gt.csv a match on an edge of which nothing is visible is wrong.",
       "recall: share of the true edges that have a right match; without pose none has.",
-      "precision by length: each match counts by its segment's length. recall by length: share of the true",
-      "  edges' visible length beside which segments of right matches of the same edge run.",
+      "precision by length: each match counts by its segment's length. recall by length: share of the true "
+      "edges' visible length beside which segments of right matches of the same edge run.",
       fmt::format("~: the same within {:g} px and {:g} cm.", kNearEdge.distance, 100 * kNearEdge.metres),
-      "false alarms: detections of no object, of whatever category. false alarms ok: share of them that got",
-      "  a pose with status ok."};
+      "false alarms: detections of no object, of whatever category. false alarms ok: share of them that got "
+      "a pose with status ok."};
 }
 
 std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs) {

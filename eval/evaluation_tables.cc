@@ -66,12 +66,14 @@ std::vector<std::string> Definitions(bool true_edges) {
       "within 15 deg: share of the detections with at most that azimuth error; one without pose is not.",
       "translation: |t - t_true| / |t_true|. distance: signed, (|t| - |t_true|) / |t_true|.",
       "up axis: angle between the estimated and the true y axis.",
-      "precision: share of the matches whose segment is on the object's own edge of that name:",
-      fmt::format("  both ends within {} px of its line, at most {} degrees apart, side by side.",
-                  kOnEdge.distance, kOnEdge.angle_deg),
-      fmt::format("recall: share of the own edges with at least {} px in the image and not hidden that have",
-                  kLeastVisiblePixels),
-      "  such a match; without pose none has.",
+      fmt::format(
+          "precision: share of the matches whose segment is on the object's own edge of that name: both "
+          "ends within {} px of its line, at most {} degrees apart, side by side.",
+          kOnEdge.distance, kOnEdge.angle_deg),
+      fmt::format(
+          "recall: share of the own edges with at least {} px in the image and not hidden that have such a "
+          "match; without pose none has.",
+          kLeastVisiblePixels),
       fmt::format("~: the same within {} px and {} cm: legs and posts are annotated along their axes.",
                   kNearEdge.distance, 100 * kNearEdge.metres),
       own_edges};

@@ -42,14 +42,15 @@ std::vector<std::string> SummaryDefinitions(double gate_m) {
   return {
       "true: objects of the ground truth. observed: those of them that some detection is of, or that were "
       "found.",
-      fmt::format("found: matched one-to-one within its category by the centres' distance, at most {} m;",
-                  gate_m),
-      "  as many as possible, of those the least sum. missed: observed and not found.",
+      fmt::format(
+          "found: matched one-to-one within its category by the centres' distance, at most {} m; as many as "
+          "possible, of those the least sum. missed: observed and not found.",
+          gate_m),
       "spurious: objects of the map that are matched to no true one, second ones of the same too.",
       "best, worst, average, median: distance of the centres of the boxes, of the found ones alone.",
-      "azimuth, tilt, size, IoU: averages over the found ones. azimuth: heading about the true up axis, the",
-      "  true object's y; symmetric turns are equal. tilt: angle between the y axes. size: mean absolute",
-      "  error over the axes, under the nearest symmetric turn. IoU: common over joint volume of the boxes."};
+      "azimuth, tilt, size, IoU: averages over the found ones. azimuth: heading about the true up axis, the "
+      "true object's y; symmetric turns are equal. tilt: angle between the y axes. size: mean absolute "
+      "error over the axes, under the nearest symmetric turn. IoU: common over joint volume of the boxes."};
 }
 
 std::vector<Cell> ObjectRow(const std::string& run, const EvaluatedMap& map, const EvaluatedObject& object) {

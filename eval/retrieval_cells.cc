@@ -26,23 +26,25 @@ void PushDistances(const RetrievalSummary& s, std::vector<Cell>& row) {
 }
 
 std::vector<std::string> RankNotes() {
-  return {"in library: queries whose true CAD model is in the library. Over these, by the rank of the true",
-          "  model among all instances of its category: top-1, top-5: share of ranks 1, of ranks up to 5;",
-          "  MRR: mean of 1 / rank."};
+  return {
+      "in library: queries whose true CAD model is in the library. Over these, by the rank of the true "
+      "model among all instances of its category: top-1, top-5: share of ranks 1, of ranks up to 5; "
+      "MRR: mean of 1 / rank."};
 }
 
 std::vector<std::string> DistanceNotes() {
   return {
-      "compared: queries whose true surface is known. Over these, without the true model, as if the",
-      "  library did not have it, and without models that have no surface:",
-      fmt::format("Chamfer: mean distance of {} points of the retrieved surface from the true one, and the",
-                  kSurfacePoints),
-      "  other way round, their mean; two such sets of one surface are 0.3 (laptop) to 0.9 cm (table)",
-      "  apart. Both are in the object frame: same axes, centred on the bounding box of their edges, the",
-      "  true model in the true object's size. Nothing else is aligned.",
-      "best of 5: the nearest surface of the first five. by true shape: what k-NN of the same space finds",
-      "  for the true object's coefficients, the best it could do. ratio: Chamfer / by true shape, of the",
-      "  means."};
+      "compared: queries whose true surface is known. Over these, without the true model, as if the "
+      "library did not have it, and without models that have no surface:",
+      fmt::format(
+          "Chamfer: mean distance of {} points of the retrieved surface from the true one, and the other "
+          "way round, their mean; two such sets of one surface are 0.3 (laptop) to 0.9 cm (table) apart. "
+          "Both are in the object frame: same axes, centred on the bounding box of their edges, the true "
+          "model in the true object's size. Nothing else is aligned.",
+          kSurfacePoints),
+      "best of 5: the nearest surface of the first five. by true shape: what k-NN of the same space finds "
+      "for the true object's coefficients, the best it could do. ratio: Chamfer / by true shape, of the "
+      "means."};
 }
 
 void AppendNotes(const std::vector<std::string>& notes, Table& table) {

@@ -82,15 +82,15 @@ Table RetrievalTable(const EvaluatedQueries& evaluated) {
                      table);
     if (sequences.size() > 1) PushCategories(run, "all", evaluated, of_run, table);
   }
-  AppendNotes({"queries: objects of the map; the true one is that of most of its observations, wherever it",
-               "  stands."},
+  AppendNotes({"queries: objects of the map; the true one is that of most of its observations, wherever it "
+               "stands."},
               table);
   AppendNotes(RankNotes(), table);
   AppendNotes(DistanceNotes(), table);
   AppendNotes(
       {"random: expected Chamfer of a random pick. mean shape: of the model nearest to the category's mean.",
-       "F-score: at 2 cm: the share of the retrieved surface's points within 2 cm of the true one and the",
-       "  share the other way, their harmonic mean."},
+       "F-score: at 2 cm: the share of the retrieved surface's points within 2 cm of the true one and the "
+       "share the other way, their harmonic mean."},
       table);
   return table;
 }
@@ -115,8 +115,8 @@ Table EachQueryTable(const EvaluatedQueries& evaluated, const InstanceLibrary& l
   }
   AppendNotes(
       {"rank: of the true model among all of its category; -: it is not in the library. k-NN: whitened.",
-       "first other: the first of the re-ranked that has a surface and is not the true model; Chamfer: of",
-       "  its surface from that of the true model."},
+       "first other: the first of the re-ranked that has a surface and is not the true model; Chamfer: of "
+       "its surface from that of the true model."},
       table);
   return table;
 }

@@ -34,9 +34,10 @@ void PushVariants(const EvaluatedQueries& evaluated, const std::vector<CategoryM
 }
 
 std::vector<std::string> VariantNotes() {
-  return {"k-NN: nearest by the coefficients; raw: in metres of the modes; whitened: in standard deviations;",
-          "  with size: the bounding box's size as three more dimensions; first n modes: without the others.",
-          "F-score: at 2 cm, of the first retrieved."};
+  return {
+      "k-NN: nearest by the coefficients; raw: in metres of the modes; whitened: in standard deviations; "
+      "with size: the bounding box's size as three more dimensions; first n modes: without the others.",
+      "F-score: at 2 cm, of the first retrieved."};
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ std::vector<std::string> Notes(const std::vector<NamedTrajectory>& trajectories)
       fmt::format("matched of poses: estimated poses with a true one within {:g} ms, one to one, closest "
                   "first; all errors are of them.",
                   1e3 * first.tolerance),
-      "alignment: how the estimate was brought to the truth, x_true = scale R x + t;",
-      "  scale, rotation (angle of R), translation (|t|) as found."};
+      "alignment: how the estimate was brought to the truth, x_true = scale R x + t; "
+      "scale, rotation (angle of R), translation (|t|) as found."};
   std::set<AlignmentKind> kinds;
   for (const NamedTrajectory& named : trajectories) {
     const TrajectoryOptions& options = named.evaluation.options;

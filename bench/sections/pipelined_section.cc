@@ -118,11 +118,11 @@ Table PipelinedTable(const std::vector<PacedRun>& runs) {
     }
   }
   table.notes = {
-      "threads: 1, a frame's lines and then its objects; 2, a second thread finds the next frame's lines",
-      "  meanwhile (`armature run --pipelined`). The results are the same.",
-      "latency: from the moment that a frame's lines begin to be looked for to its result; with two threads",
-      "  they wait for the frame before. frames/s: median of whole runs, as fast as possible, images loaded",
-      "  before, without the warm-up. times one thread: of frames/s."};
+      "threads: 1, a frame's lines and then its objects; 2, a second thread finds the next frame's lines "
+      "meanwhile (`armature run --pipelined`). The results are the same.",
+      "latency: from the moment that a frame's lines begin to be looked for to its result; with two threads "
+      "they wait for the frame before. frames/s: median of whole runs, as fast as possible, images loaded "
+      "before, without the warm-up. times one thread: of frames/s."};
   return table;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/errors.h"
 #include "io/nearest_name.h"
@@ -115,6 +116,22 @@ std::vector<std::string> AlignedLines(const Table& table, const Layout& layout) 
   return lines;
 }
 
+// In lines of at most so many characters, later ones indented; a longer word has a line of its own.
+std::string Wrapped(const std::string& note) {
+  constexpr size_t kWidth = 110;
+  std::string text, line;
+  std::istringstream words(note);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > kWidth) {
+      text += line + "\n";
+      line = "  " + word;
+    } else {
+      line += (line.empty() ? "" : " ") + word;
+    }
+  }
+  return text + line + "\n";
+}
+
 std::string FormatText(const Table& table) {
   std::string text = table.title.empty() ? "" : table.title + "\n";
   std::vector<std::string> lines = AlignedLines(table, kText);
@@ -122,7 +139,7 @@ std::string FormatText(const Table& table) {
   for (const std::string& line : lines) widest = std::max(widest, Width(line));
   lines.insert(lines.begin() + 1, std::string(widest, '-'));
   text += fmt::format("{}\n", fmt::join(lines, "\n"));
-  for (const std::string& note : table.notes) text += note + "\n";
+  for (const std::string& note : table.notes) text += Wrapped(note);
   return text;
 }
 

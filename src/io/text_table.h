@@ -25,7 +25,7 @@ struct Table {
   std::string title;
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;  // each as long as the columns
-  std::vector<std::string> notes;       // lines under the table: what each span or number means
+  std::vector<std::string> notes;  // under the table: what each span or number means; wrapped in plain text
 };
 
 enum class TableFormat { kText, kMarkdown, kCsv, kLatex, kJson };
