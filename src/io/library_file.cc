@@ -19,18 +19,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "armature library of instances\n";
-constexpr std::uint32_t kVersion = 1;
-constexpr const char* kRemedy = "build it again with 'armature retrieve --build'";
+constexpr std::uint32_t kLibraryVersion = 1;
+constexpr const char* kBuildAgain = "build it again with 'armature retrieve --build'";
 
-[[noreturn]] void Refuse(const fs::path& file, const std::string& why) {
-  throw InputError(fmt::format("{}: {}; {}", file.string(), why, kRemedy));
+[[noreturn]] void RefuseLibrary(const fs::path& file, const std::string& why) {
+  throw InputError(fmt::format("{}: {}; {}", file.string(), why, kBuildAgain));
 }
 
 void CheckModel(const fs::path& file, const CategoryInstances& instances, const CategoryModel& model) {
   if (instances.model_checksum == ModelChecksum(model)) return;
   throw InputError(
       fmt::format("{}: its instances of {} are of another category model; name that with --categories, or {}",
-                  file.string(), Quoted(instances.category), kRemedy));
+                  file.string(), Quoted(instances.category), kBuildAgain));
 }
 
 // Numbers and texts one after the other; a text is its length and its bytes.
@@ -89,7 +89,7 @@ class Reader {
 
  private:
   const char* TakeRaw(size_t size) {
-    if (size > rest_.size()) Refuse(file_, "is damaged");
+    if (size > rest_.size()) RefuseLibrary(file_, "is damaged");
     const char* data = rest_.data();
     rest_.remove_prefix(size);
     return data;
@@ -132,15 +132,16 @@ std::uint64_t SumOf(std::string_view bytes) { return Checksum(std::as_bytes(std:
 
 // What is between magic, version and checksum, once these are right.
 std::string_view Checked(const fs::path& file, std::string_view bytes) {
-  if (!bytes.starts_with(kMagic)) Refuse(file, "is not a library of instances");
-  const size_t start = kMagic.size() + sizeof(kVersion);
-  if (bytes.size() < start + sizeof(std::uint64_t)) Refuse(file, "is cut short");
+  if (!bytes.starts_with(kMagic)) RefuseLibrary(file, "is not a library of instances");
+  const size_t start = kMagic.size() + sizeof(kLibraryVersion);
+  if (bytes.size() < start + sizeof(std::uint64_t)) RefuseLibrary(file, "is cut short");
   Reader reader(file, bytes.substr(kMagic.size()));
-  if (const auto version = reader.Take<std::uint32_t>(); version != kVersion)
-    Refuse(file, fmt::format("is of version {}, not {}", version, kVersion));
+  if (const auto version = reader.Take<std::uint32_t>(); version != kLibraryVersion)
+    RefuseLibrary(file, fmt::format("is of version {}, not {}", version, kLibraryVersion));
   const size_t end = bytes.size() - sizeof(std::uint64_t);
   Reader sum(file, bytes.substr(end));
-  if (sum.Take<std::uint64_t>() != SumOf(bytes.substr(0, end))) Refuse(file, "is damaged or cut short");
+  if (sum.Take<std::uint64_t>() != SumOf(bytes.substr(0, end)))
+    RefuseLibrary(file, "is damaged or cut short");
   return bytes.substr(start, end - start);
 }
 
@@ -155,7 +156,7 @@ fs::path RelativeTo(const fs::path& folder, const fs::path& root) {
 void WriteLibrary(const InstanceLibrary& library, const fs::path& file) {
   Bytes bytes;
   bytes.all() = kMagic;
-  bytes.Add(kVersion);
+  bytes.Add(kLibraryVersion);
   bytes.Add(RelativeTo(fs::absolute(file).parent_path(), library.root).string());
   bytes.Add(static_cast<std::uint64_t>(library.categories.size()));
   for (const CategoryInstances& instances : library.categories) AddCategory(instances, bytes);
