@@ -26,6 +26,7 @@ InstanceIndex IndexOf(const fs::path& library, const CategoryModel& model, const
 
 InstanceLibrary LibraryOfFolder(const fs::path& cad, const std::vector<CategoryModel>& models) {
   std::vector<CategorySpec> specs;
+  specs.reserve(models.size());
   for (const CategoryModel& model : models) specs.push_back(model.spec);
   std::vector<CadModel> annotated = ReadCadFolder(cad, specs);
   AlignMeshes(cad, annotated);

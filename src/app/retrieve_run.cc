@@ -45,7 +45,7 @@ class Looker {
 };
 
 fs::path SequenceOf(const RunIdentity& identity, const fs::path& given) {
-  const fs::path folder = given.empty() ? identity.sequence_folder : given;
+  fs::path folder = given.empty() ? identity.sequence_folder : given;
   if (fs::exists(folder / "sequence.yaml")) return folder;
   throw InputError(
       fmt::format("{}: its sequence is not at '{}'; name its folder with --sequence, or do not re-rank "

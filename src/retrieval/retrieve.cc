@@ -32,6 +32,7 @@ void InstanceRetrieval::Rerank(const ObjectSightings& sightings,
   }
   std::sort(order.begin(), order.end());
   std::vector<RetrievedInstance> sorted;
+  sorted.reserve(retrieved.size());
   for (const auto& [cost, i] : order) sorted.push_back(retrieved[i]);
   retrieved = std::move(sorted);
 }
