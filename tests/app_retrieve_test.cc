@@ -112,6 +112,18 @@ TEST_F(RetrieveSmallScene, SaysWhatIsMissing) {
   ExpectBadInput({"retrieve", run_, "--library", library_}, {"--sequence", "retrieval.rerank=false"});
 }
 
+TEST_F(RetrieveSmallScene, ARunOfOtherModelsIsRefused) {
+  const std::string specs = std::string(ARMATURE_SOURCE_DIR) + "/configs/categories/specs/";
+  for (const std::string category : {"table", "laptop"}) {
+    RunOk({"learn", "--spec", specs + category + ".yaml", "--family", category, "--count", "60", "--out",
+           folder_ / "other" / (category + ".yaml")});
+  }
+  const std::vector<std::string> other = {"--categories", folder_ / "other"};
+  RunOk({"retrieve", "--build", "--cad", folder_ / "cad", "--out", library_, other[0], other[1]});
+  ExpectBadInput({"retrieve", run_, "--library", library_, other[0], other[1]},
+                 {"objects.csv", "the models that the run was made with", "--categories"});
+}
+
 TEST_F(RetrieveSmallScene, SavedIndicesAreUsedAndChecked) {
   const std::vector<std::string> plain = {"--set", "retrieval.rerank=false", "--set",
                                           "retrieval.covariance=false"};

@@ -36,13 +36,14 @@ const CategoryModel& ModelOf(const std::string& category, const std::vector<Cate
 
 std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<CategoryModel>& models) {
   const fs::path file = run / "objects.csv";
-  const std::map<std::string, ShapeEvidence> evidence = ReadShapeEvidence(run / "shape_evidence.csv");
+  const std::map<std::string, StoredEvidence> evidence = ReadShapeEvidence(run / "shape_evidence.csv");
   std::vector<MapObject> objects;
   for (const PlacedObject& placed : ReadPlacedObjects(file)) {
     const CategoryModel& model = ModelOf(placed.category, models, file);
     const auto of_shape = evidence.find(placed.id);
     if (static_cast<int>(placed.shape.size()) != model.modes() || of_shape == evidence.end() ||
-        of_shape->second.vector.size() != model.modes()) {
+        of_shape->second.evidence.vector.size() != model.modes() ||
+        of_shape->second.model_checksum != ModelChecksum(model)) {
       throw InputError(
           fmt::format("{}: the shape of '{}' is not one of {} coefficients with its evidence; name "
                       "the models that the run was made with (--categories), or run it again",
@@ -50,7 +51,7 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
     }
     objects.push_back({placed.id, &model, placed.T_world_object,
                        Eigen::Map<const Eigen::VectorXd>(placed.shape.data(), model.modes()),
-                       placed.observations, of_shape->second});
+                       placed.observations, of_shape->second.evidence});
   }
   return objects;
 }

@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "category/category_model.h"
 
+#include <span>
+
+#include "io/checksum.h"
+
 namespace armature {
+namespace {
+
+template <typename Matrix>
+void AddBytes(const Matrix& matrix, std::vector<double>& all) {
+  all.insert(all.end(), matrix.data(), matrix.data() + matrix.size());
+}
+
+}  // namespace
 
 Eigen::VectorXd ShapeVector(const Wireframe& wireframe) {
   Eigen::VectorXd shape(6 * wireframe.edges());
@@ -31,6 +43,17 @@ Wireframe WireframeFromCoefficients(const CategoryModel& model, const Eigen::Vec
 Eigen::VectorXd CoefficientsFromWireframe(const CategoryModel& model, const Wireframe& wireframe) {
   return (model.basis.transpose() * (ShapeVector(wireframe) - model.mean))
       .cwiseQuotient(model.standard_deviations);
+}
+
+std::uint64_t ModelChecksum(const CategoryModel& model) {
+  std::vector<double> numbers;
+  AddBytes(model.mean, numbers);
+  AddBytes(model.basis, numbers);
+  AddBytes(model.standard_deviations, numbers);
+  std::uint64_t sum = Checksum(std::as_bytes(std::span(numbers)));
+  for (const std::string& name : model.spec.edge_names)
+    sum = 31 * sum + Checksum(std::as_bytes(std::span(name)));
+  return sum;
 }
 
 Eigen::Vector3d BoundingBoxSize(const Wireframe& wireframe) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -105,6 +106,10 @@ Wireframe WireframeFromCoefficients(const CategoryModel& model, const Eigen::Vec
 // Coefficients of the model's shape nearest to the wireframe (orthogonal projection on the basis), in
 // standard deviations.
 Eigen::VectorXd CoefficientsFromWireframe(const CategoryModel& model, const Wireframe& wireframe);
+
+// Of what coefficients depend on: edges, mean, basis, deviations. Tells whether coefficients are of this
+// model.
+std::uint64_t ModelChecksum(const CategoryModel& model);
 
 // Size of the wireframe's bounding box along x, y, z, metres.
 Eigen::Vector3d BoundingBoxSize(const Wireframe& wireframe);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "io/csv.h"
 #include "io/errors.h"
 #include "io/number_format.h"
@@ -35,7 +37,17 @@ Eigen::MatrixXd Symmetric(const std::vector<double>& triangle, Eigen::Index size
   return matrix;
 }
 
-ShapeEvidence ReadRow(const CsvRow& row) {
+// 16 hexadecimal digits.
+std::uint64_t ReadChecksum(const CsvRow& row) {
+  const std::string& text = row.Text("model");
+  std::uint64_t checksum = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), checksum, 16);
+  if (text.size() == 16 && error == std::errc() && end == text.data() + text.size()) return checksum;
+  throw InputError(
+      row.At(fmt::format("column 'model': {} is no checksum; run `armature run` again", Quoted(text))));
+}
+
+StoredEvidence ReadRow(const CsvRow& row) {
   const std::vector<double> triangle = ParseNumbers(row.Text("information"), row.At("column 'information'"));
   const std::vector<double> vector = ParseNumbers(row.Text("vector"), row.At("column 'vector'"));
   if (triangle.size() != vector.size() * (vector.size() + 1) / 2) {
@@ -45,24 +57,26 @@ ShapeEvidence ReadRow(const CsvRow& row) {
                            triangle.size(), vector.size())));
   }
   const auto size = static_cast<Eigen::Index>(vector.size());
-  return {Symmetric(triangle, size), Eigen::Map<const Eigen::VectorXd>(vector.data(), size)};
+  return {{Symmetric(triangle, size), Eigen::Map<const Eigen::VectorXd>(vector.data(), size)},
+          ReadChecksum(row)};
 }
 
 }  // namespace
 
 std::string ShapeEvidenceText(const std::vector<MapObject>& objects) {
-  std::string text = "id,information,vector\n";
+  std::string text = "id,model,information,vector\n";
   for (const MapObject& object : objects) {
     const Eigen::VectorXd& vector = object.evidence.vector;
-    text += fmt::format("{},{},{}\n", object.id, Joined(LowerTriangle(object.evidence.information)),
+    text += fmt::format("{},{:016x},{},{}\n", object.id, ModelChecksum(*object.model),
+                        Joined(LowerTriangle(object.evidence.information)),
                         Joined({vector.begin(), vector.end()}));
   }
   return text;
 }
 
-std::map<std::string, ShapeEvidence> ReadShapeEvidence(const std::filesystem::path& file) {
-  const CsvTable table(file, {"id", "information", "vector"});
-  std::map<std::string, ShapeEvidence> evidence;
+std::map<std::string, StoredEvidence> ReadShapeEvidence(const std::filesystem::path& file) {
+  const CsvTable table(file, {"id", "model", "information", "vector"});
+  std::map<std::string, StoredEvidence> evidence;
   for (const CsvRow& row : table.rows()) {
     if (!evidence.emplace(row.Text("id"), ReadRow(row)).second)
       throw InputError(row.At(fmt::format("'{}' is there twice; keep one row", row.Text("id"))));

@@ -4,10 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
-#include <span>
 
 #include "category/normalise.h"
-#include "io/checksum.h"
 
 namespace armature {
 namespace {
@@ -55,11 +53,6 @@ void Resize(Eigen::Index modes, Eigen::Index edges, Eigen::Index count, Category
   instances.T_object_geometry.conservativeResize(Eigen::NoChange, count);
 }
 
-template <typename Matrix>
-void AddBytes(const Matrix& matrix, std::vector<double>& all) {
-  all.insert(all.end(), matrix.data(), matrix.data() + matrix.size());
-}
-
 }  // namespace
 
 int CategoryInstances::Find(const std::string& id) const {
@@ -82,17 +75,6 @@ const CategoryInstances* InstanceLibrary::Of(const std::string& category) const 
     if (instances.category == category) return &instances;
   }
   return nullptr;
-}
-
-std::uint64_t ModelChecksum(const CategoryModel& model) {
-  std::vector<double> numbers;
-  AddBytes(model.mean, numbers);
-  AddBytes(model.basis, numbers);
-  AddBytes(model.standard_deviations, numbers);
-  std::uint64_t sum = Checksum(std::as_bytes(std::span(numbers)));
-  for (const std::string& name : model.spec.edge_names)
-    sum = 31 * sum + Checksum(std::as_bytes(std::span(name)));
-  return sum;
 }
 
 InstanceLibrary BuildLibrary(const std::vector<CategoryModel>& models, const std::vector<CadModel>& cad,

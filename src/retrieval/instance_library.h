@@ -20,7 +20,7 @@ constexpr double kUnscaledSizeSigma = 0.05;
 // into memory and is read in a second.
 struct CategoryInstances {
   std::string category;
-  std::uint64_t model_checksum = 0;  // of the category model that the coefficients are of, see ModelChecksum
+  std::uint64_t model_checksum = 0;  // of the category model that the coefficients are of
   std::vector<std::string> ids{};    // "armature:chair-0001"
   std::vector<std::string>
       geometries{};                // their surfaces: files relative to the root, see CadModel; empty: none
@@ -46,9 +46,6 @@ struct InstanceLibrary {
 
   const CategoryInstances* Of(const std::string& category) const;  // null: it has none of this category
 };
-
-// Of what coefficients depend on: edges, mean, basis, deviations.
-std::uint64_t ModelChecksum(const CategoryModel& model);
 
 // The CAD models of the categories that there are models of; others are left out, and so are those that have
 // no size in metres (a seat on the ground). Wireframes are brought to metres by the category's reference,
