@@ -8,7 +8,6 @@
 
 #include "datasets/cad/collection_files.h"
 #include "datasets/generation_stamp.h"
-#include "datasets/random.h"
 #include "datasets/render/camera_effects.h"
 #include "datasets/render/renderer.h"
 #include "datasets/scene/camera_path.h"
@@ -19,6 +18,7 @@
 #include "datasets/simulation/odometry.h"
 #include "datasets/simulation/true_edges.h"
 #include "datasets/simulation/visible_objects.h"
+#include "geometry/random.h"
 #include "io/image_writer.h"
 #include "io/text.h"
 

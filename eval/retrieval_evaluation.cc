@@ -7,7 +7,7 @@
 
 #include "eval/category_lookup.h"
 #include "eval/retrieval_ranking.h"
-#include "eval/seeded_random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {
@@ -47,9 +47,9 @@ std::optional<SurfaceDistance> FirstSurface(const std::vector<int>& others, Dist
 std::vector<int> Shuffled(int instances) {
   std::vector<int> order(static_cast<size_t>(instances));
   std::iota(order.begin(), order.end(), 0);
-  SeededRandom random(kPickSeed);
+  Random random(kPickSeed);
   for (size_t left = order.size(); left > 1; --left)
-    std::swap(order[left - 1], order[static_cast<size_t>(random.Uniform() * static_cast<double>(left))]);
+    std::swap(order[left - 1], order[static_cast<size_t>(random.Uniform(0, 1) * static_cast<double>(left))]);
   return order;
 }
 

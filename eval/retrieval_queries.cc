@@ -4,7 +4,7 @@
 #include <set>
 
 #include "eval/placed_objects.h"
-#include "eval/seeded_random.h"
+#include "geometry/random.h"
 
 namespace armature {
 
@@ -48,12 +48,12 @@ std::vector<RetrievalQuery> QueriesOfMap(const Map& map, const ObjectPairs& pair
 
 std::vector<RetrievalQuery> QueriesOfLibrary(const CategoryInstances& instances, int every, double noise,
                                              std::uint64_t seed) {
-  SeededRandom random(seed);
+  Random random(seed);
   std::vector<RetrievalQuery> queries;
   for (int i = 0; i < instances.size(); i += every) {
     const Eigen::Vector3d size = instances.sizes.col(i).cast<double>();
     ShapeQuery shape{instances.coefficients.col(i).cast<double>(), size, std::nullopt};
-    for (double& coefficient : shape.coefficients) coefficient += noise * random.Normal();
+    for (double& coefficient : shape.coefficients) coefficient += noise * random.Normal(0, 1);
     queries.push_back({.category = instances.category,
                        .true_model = instances.ids[static_cast<size_t>(i)],
                        .true_size = size,

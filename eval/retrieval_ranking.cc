@@ -6,13 +6,6 @@
 namespace armature {
 namespace {
 
-RetrievalOptions AllByShape(RetrievalOptions options, int instances) {
-  options.k = std::max(instances, 1);
-  options.radius = 0;
-  options.rerank = false;
-  return options;
-}
-
 RetrievalOptions AllCandidates(RetrievalOptions options) {
   options.k = options.candidates;
   options.radius = 0;
@@ -23,24 +16,19 @@ RetrievalOptions AllCandidates(RetrievalOptions options) {
 
 InstanceRanking::InstanceRanking(const CategoryModel& model, const CategoryInstances& instances,
                                  const RetrievalOptions& options)
-    : by_shape_(model, instances, AllByShape(options, instances.size()),
-                BuildIndex(model, instances, options)) {
-  if (options.rerank)
-    reranked_.emplace(model, instances, AllCandidates(options), BuildIndex(model, instances, options));
-}
+    : candidates_(model, instances, AllCandidates(options), BuildIndex(model, instances, options)) {}
 
 std::vector<int> InstanceRanking::Of(const ShapeQuery& query, const ObjectSightings* sightings) const {
+  const int all = candidates_.instances().size();
   std::vector<int> ranking;
-  std::vector<bool> is_ranked(static_cast<size_t>(by_shape_.instances().size()));
-  const auto add = [&](const std::vector<RetrievedInstance>& retrieved) {
-    for (const RetrievedInstance& r : retrieved) {
-      if (is_ranked[static_cast<size_t>(r.instance)]) continue;
-      is_ranked[static_cast<size_t>(r.instance)] = true;
-      ranking.push_back(r.instance);
-    }
+  std::vector<bool> is_ranked(static_cast<size_t>(all));
+  const auto add = [&](int instance) {
+    if (is_ranked[static_cast<size_t>(instance)]) return;
+    is_ranked[static_cast<size_t>(instance)] = true;
+    ranking.push_back(instance);
   };
-  if (reranked_ && sightings) add(reranked_->Retrieve(query, sightings));
-  add(by_shape_.Retrieve(query, nullptr));
+  for (const RetrievedInstance& candidate : candidates_.Retrieve(query, sightings)) add(candidate.instance);
+  for (const Neighbour& neighbour : candidates_.Nearest(query, std::max(all, 1))) add(neighbour.instance);
   return ranking;
 }
 

@@ -20,8 +20,7 @@ class InstanceRanking {
   std::vector<int> Of(const ShapeQuery& query, const ObjectSightings* sightings) const;
 
  private:
-  InstanceRetrieval by_shape_;
-  std::optional<InstanceRetrieval> reranked_;
+  InstanceRetrieval candidates_;
 };
 
 // The place of an instance in the ranking, from 1; none: it is not in it.

@@ -45,11 +45,14 @@ std::vector<std::string> VariantNotes() {
 Table RetrievalVariantTable(const EvaluatedQueries& evaluated, const std::vector<CategoryModel>& models) {
   Table table;
   table.title = "CAD retrieval by variant, all sequences";
+  table.name = "retrieval_variants";
   PushVariants(evaluated, models, table);
   AppendNotes(VariantNotes(), table);
   AppendNotes(
-      {"covariance: distances weighed with that of the estimated coefficients. re-ranked: the first",
-       fmt::format("  {} by how well their own edges explain the images.", RetrievalOptions().candidates)},
+      {fmt::format(
+          "covariance: distances weighed with that of the estimated coefficients. re-ranked: the first {} "
+          "by how well their own edges explain the images.",
+          RetrievalOptions().candidates)},
       table);
   AppendNotes(RankNotes(), table);
   AppendNotes(DistanceNotes(), table);
@@ -60,6 +63,7 @@ Table LibraryTable(const EvaluatedQueries& evaluated, const std::vector<Category
                    const InstanceLibrary& library, const std::string& asked) {
   Table table;
   table.title = "CAD retrieval by known coefficients with noise, no images";
+  table.name = "library";
   PushVariants(evaluated, models, table);
   std::vector<std::string> sizes;
   for (const CategoryInstances& instances : library.categories)

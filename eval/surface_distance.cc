@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "eval/seeded_random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {
@@ -27,8 +27,8 @@ Triangle TriangleOf(const TriangleMesh& mesh, Eigen::Index i) {
 }
 
 // Even over the triangle: Osada et al., Shape distributions, 2002.
-Eigen::Vector3f PointOn(const Triangle& triangle, SeededRandom& random) {
-  const double root = std::sqrt(random.Uniform()), along = random.Uniform();
+Eigen::Vector3f PointOn(const Triangle& triangle, Random& random) {
+  const double root = std::sqrt(random.Uniform(0, 1)), along = random.Uniform(0, 1);
   return (triangle.a + root * (1 - along) * triangle.ab + root * along * triangle.ac).cast<float>();
 }
 
@@ -49,12 +49,12 @@ double ShareWithin(const Eigen::VectorXf& distances, double threshold) {
 
 Eigen::Matrix3Xf SampleSurface(const TriangleMesh& mesh, int count, std::uint64_t seed) {
   const std::vector<double> areas = AreasUpTo(mesh);
-  SeededRandom random(seed);
+  Random random(seed);
   Eigen::Matrix3Xf points(3, count);
   // One point in each of `count` equal pieces of the area, in the order of the triangles.
   Eigen::Index triangle = 0;
   for (int i = 0; i < count; ++i) {
-    const double area = areas.back() * (i + random.Uniform()) / count;
+    const double area = areas.back() * (i + random.Uniform(0, 1)) / count;
     while (triangle + 1 < mesh.size() && areas[static_cast<size_t>(triangle)] <= area) ++triangle;
     points.col(i) = PointOn(TriangleOf(mesh, triangle), random);
   }

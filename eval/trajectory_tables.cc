@@ -27,8 +27,7 @@ std::string AlignmentMeaning(AlignmentKind kind, int first_n) {
       return "sim3's scale, then the first matched pose put on the true one";
     case AlignmentKind::kEndPoints:
       return "scale: true over estimated distance from the first to the last matched position; then the "
-             "first "
-             "pose put on the true one";
+             "first pose put on the true one";
     case AlignmentKind::kFirstN:
       return fmt::format(
           "moved rigidly, least squares over the first {} matched positions: says little where the "
@@ -119,6 +118,8 @@ Table TrajectoryTable(const std::string& sequence, const std::vector<NamedTrajec
                       int digits) {
   Table table;
   table.title = sequence + ": camera trajectories";
+  table.name = "trajectory";
+  table.sequence = sequence;
   table.columns = {"run",          "trajectory",     "alignment",      "matched",
                    "poses",        "scale",          "rotation [deg]", "translation [m]",
                    "ATE rmse [m]", "ATE mean [m]",   "ATE median [m]", "ATE max [m]",

@@ -80,6 +80,10 @@ TEST_F(BenchAgainst, BadInput) {
   json["settings"]["frames"] = "many";
   ExpectBadInput({"bench", "--against", Written(json)}, {"'frames'", "give --frames"});
   json["settings"] = reference_["settings"];
+  json["settings"]["frames"] = "many";
+  json["settings"].erase("retrieval_sizes");  // the reference is older than this: its default
+  ExpectBadInput({"bench", "--against", Written(json)}, {"'frames'", "give --frames"});
+  json["settings"] = reference_["settings"];
   json["settings"]["sequences"] = {"absent/den"};
   ExpectBadInput({"bench", "--against", Written(json)}, {"'absent/den' is not here", "scripts/run.sh"});
   json["settings"] = reference_["settings"];

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "bench/retrieval/index_race.h"
+#include "bench/retrieval/library_costs.h"
 #include "bench/sections/retrieval_section.h"
 #include "support/expect_input_error.h"
 #include "support/table_cells.h"
@@ -57,6 +58,21 @@ TEST(RetrievalSection, HasASpanARowAndACurveAMethod) {
     EXPECT_EQ(series.points[1].x, 20);
     EXPECT_EQ(series.remark, " (1.000)");
   }
+}
+
+TEST(RetrievalSection, MeasuresWholeLibraries) {
+  const BenchSection section = RetrievalSection({.sizes = {10, 20}, .queries = 30});
+  const Table& table = section.tables.at(1);
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(CellText(table, 1, "instances"), "20");
+  for (const size_t row : {0u, 1u}) {
+    for (const char* column : {"read [ms]", "write [ms]", "by covariance [ms]"})
+      EXPECT_GE(std::stod(CellText(table, row, column)), 0) << column;
+  }
+  // 7 coefficients, 3 sizes, 66 numbers of edges, 12 of a transform, 1 deviation: 356 bytes and two names.
+  const LibraryCosts costs = MeasureLibrary(MakeSyntheticLibrary(1000, 5));
+  EXPECT_GT(costs.file_mb * (1 << 20), 1000 * (356 + 40));
+  EXPECT_LT(costs.file_mb * (1 << 20), 1000 * (356 + 80));
 }
 
 TEST(Recall, CountsTrueNeighboursAmongThoseFound) {

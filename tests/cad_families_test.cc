@@ -7,7 +7,7 @@
 #include "datasets/cad/chair.h"
 #include "datasets/cad/laptop.h"
 #include "datasets/cad/table.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "eval/retrieval_queries.h"
-#include "eval/seeded_random.h"
+#include "geometry/random.h"
 #include "support/known_frames.h"
 
 namespace armature {
@@ -96,10 +96,10 @@ TEST(QueriesOfALibrary, AreEveryNthInstanceWithNoise) {
 }
 
 TEST(SeededNumbers, AreNormal) {
-  SeededRandom random(1);
+  Random random(1);
   double sum = 0, squares = 0;
   for (int i = 0; i < 20000; ++i) {
-    const double value = random.Normal();
+    const double value = random.Normal(0, 1);
     sum += value;
     squares += value * value;
   }

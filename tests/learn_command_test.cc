@@ -7,7 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "datasets/cad/collection_files.h"
 #include "io/category_yaml.h"
+#include "io/library_file.h"
 #include "support/category_examples.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"
@@ -126,7 +128,25 @@ TEST(LearnCommand, MetricAnnotationsKeepTheirSizes) {
   EXPECT_NEAR(mean.directions(2, 1), 5, 1e-9);
 }
 
+TEST(LearnCommand, WritesALibraryOfTheModelAsItCanBeReadAgain) {
+  const TempFolder folder;
+  WriteCollection(DrawCollection({.chairs = 0, .tables = 20, .laptops = 0}), folder.path());
+  const std::string root = folder.path().string();
+  const std::string out =
+      Learn(Spec("table") + " --annotations " + root + "/table_edges.csv --metric --out " + root +
+            "/table.yaml --library " + root + "/tables.armlib");
+  EXPECT_NE(out.find("tables.armlib"), std::string::npos) << out;
+  const InstanceLibrary library =
+      ReadLibrary(folder / "tables.armlib", {LoadCategory(folder / "table.yaml")});
+  EXPECT_EQ(library.Of("table")->size(), 20) << "those that it did not learn from, too";
+  EXPECT_TRUE(std::filesystem::equivalent(library.root, folder.path())) << library.root;
+}
+
 TEST(LearnCommand, BadUsageIsOneLine) {
+  for (const std::string also : {" --out a.yaml", " --held-out 4"}) {
+    ExpectInputError([&] { Learn(Spec("table") + " --family table --library a.armlib" + also); },
+                     {"--library", "--annotations", "--out"});
+  }
   ExpectInputError([] { Learn(Spec("table") + " --family table --metric --held-out 4"); }, {"--metric"});
   ExpectInputError([] { Learn(Spec("table") + " --family table --compare a.csv --compare-family table"); },
                    {"--compare FILE", "--compare-family"});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "retrieval/instance_index.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"

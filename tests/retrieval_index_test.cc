@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "retrieval/instance_index.h"
 
 namespace armature {

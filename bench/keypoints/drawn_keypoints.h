@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "association/object_view.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "resection/resection_problem.h"
 
 namespace armature {

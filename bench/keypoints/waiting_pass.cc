@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "bench/keypoints/forward_pass.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

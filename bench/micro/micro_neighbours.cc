@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "retrieval/instance_index.h"
 
 namespace armature {

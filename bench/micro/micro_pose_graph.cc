@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

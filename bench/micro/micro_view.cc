@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "association/box_constraints.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/retrieval/synthetic_library.h"
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

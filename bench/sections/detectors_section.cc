@@ -92,9 +92,8 @@ std::vector<std::string> Notes(const BenchTask& task, const std::string& fastest
        "see the next table, for which edges_gt.csv or CAD models (--cad) "
        "are needed.",
        "azimuth, translation: median errors of the poses of these frames' true objects, of the direction "
-       "from "
-       "which the camera sees the object and of |t - t_true| / |t_true|. within 15 deg, with pose: shares of "
-       "the detections of true objects. Dashes without ground truth.",
+       "from which the camera sees the object and of |t - t_true| / |t_true|. within 15 deg, with pose: "
+       "shares of the detections of true objects. Dashes without ground truth.",
        fastest.empty() ? "fastest of those whose accuracy is within 10 % of LSD's: not known without truth."
                        : fmt::format("Fastest (total) of those whose four numbers of accuracy are within 10 "
                                      "% of those of tuned LSD in the whole image: {}.",

@@ -124,10 +124,8 @@ std::vector<std::string> RetrievalNotes() {
   std::vector<std::string> notes;
   notes.emplace_back(
       "instances: synthetic, seven coefficients in standard deviations, from a fixed seed: members of 300 "
-      "families "
-      "of uneven size (deviation 0.9 between families, 0.44 within one). A query is one of the instances "
-      "with noise "
-      "of 0.3 on each coefficient.");
+      "families of uneven size (deviation 0.9 between families, 0.44 within one). A query is one of the "
+      "instances with noise of 0.3 on each coefficient.");
   notes.push_back(fmt::format(
       "index: FLANN's. linear: an exact scan. kdtree_single: one KD-tree, {} instances a leaf, exact. "
       "kdtree:CHECKS: {} randomised KD-trees. kmeans:CHECKS: a k-means tree, {} branches, at most {} "
@@ -135,12 +133,10 @@ std::vector<std::string> RetrievalNotes() {
       m.leaf_size, m.trees, m.branching, m.iterations));
   notes.emplace_back(
       "build, save, load: once, of the structure; saving and loading with the checksums of features and "
-      "file, in "
-      "the folder for temporary files.");
+      "file, in the folder for temporary files.");
   notes.emplace_back(
       "memory: the features (kdtree_single keeps them twice), a pointer to each instance and what FLANN "
-      "counts for "
-      "its structure; of 2^20 bytes, as file.");
+      "counts for its structure; of 2^20 bytes, as file.");
   notes.emplace_back("recall@5: share of an exact scan's five nearest that are among those found.");
   notes.push_back(fmt::format(
       "us: wall clock of single queries, one thread, one method after the other; n of them after {} that "

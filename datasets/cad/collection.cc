@@ -9,7 +9,7 @@
 #include "datasets/cad/laptop.h"
 #include "datasets/cad/materials.h"
 #include "datasets/cad/table.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "datasets/cad/edge_ends.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

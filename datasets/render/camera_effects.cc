@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "datasets/random.h"
 #include "datasets/render/noise.h"
+#include "geometry/random.h"
 
 namespace armature {
 namespace {

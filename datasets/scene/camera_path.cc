@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 
 namespace armature {

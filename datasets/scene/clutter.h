@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "datasets/cad/mesh.h"
-#include "datasets/random.h"
+#include "geometry/random.h"
 
 namespace armature {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "datasets/random.h"
 #include "datasets/scene/scene.h"
+#include "geometry/random.h"
 #include "io/yaml_support.h"
 
 namespace armature {

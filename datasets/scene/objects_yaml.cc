@@ -2,12 +2,12 @@
 // Objects and clutter of a scene file.
 #include <fmt/format.h>
 
-#include "datasets/random.h"
 #include "datasets/scene/clutter.h"
 #include "datasets/scene/instance_yaml.h"
 #include "datasets/scene/place_yaml.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
+#include "geometry/random.h"
 #include "io/errors.h"
 #include "io/text.h"
 

@@ -2,9 +2,9 @@
 #include "datasets/scene/room_mesh.h"
 
 #include "datasets/cad/solids.h"
-#include "datasets/random.h"
 #include "datasets/scene/scattered_clutter.h"
 #include "datasets/scene/walls.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 
 namespace armature {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "datasets/random.h"
 #include "datasets/scene/clutter.h"
 #include "datasets/scene/solid.h"
 #include "datasets/scene/support.h"
 #include "datasets/scene/walls.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 
 namespace armature {

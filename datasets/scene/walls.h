@@ -5,8 +5,8 @@
 #include <array>
 
 #include "datasets/cad/mesh.h"
-#include "datasets/random.h"
 #include "datasets/scene/scene.h"
+#include "geometry/random.h"
 
 namespace armature {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "datasets/random.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 
 namespace armature {

@@ -39,7 +39,9 @@ void FromJson(const Json& json, std::vector<std::filesystem::path>& paths) {
   paths.assign(texts.begin(), texts.end());
 }
 
+// A reference that is older than a setting was measured with its default.
 void TakeSetting(const Json& settings, const KeptArgument& kept, const std::filesystem::path& reference) {
+  if (!settings.empty() && !settings.contains(kept.setting)) return;
   try {
     std::visit([&](auto* field) { FromJson(settings.at(kept.setting), *field); }, kept.field);
   } catch (const Json::exception&) {

@@ -7,15 +7,16 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "app/configuration.h"
+#include "app/instance_libraries.h"
 #include "app/interrupt.h"
 #include "app/run_map.h"
 #include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/retrieval_tables.h"
 #include "eval/retrieval_variant_tables.h"
-#include "io/cad_folder.h"
 #include "io/errors.h"
 #include "io/library_file.h"
 
@@ -28,9 +29,8 @@ InstanceLibrary ReadNamedLibrary(const RetrievalTableArguments& arguments,
                                  const std::vector<CategoryModel>& models) {
   if (!arguments.library.empty()) return ReadLibrary(arguments.library, models);
   throw InputError(
-      "the tables of retrieval are of a library of instances; name its file with --library (`armature "
-      "retrieve "
-      "--build` makes one)");
+      "the tables of retrieval are of a library of instances; name its file with --library "
+      "(`armature retrieve --build` makes one)");
 }
 
 // As shown, one a run.
@@ -60,9 +60,10 @@ void CheckHasShapes(const RunToEvaluate& run) {
 std::vector<RetrievalQuery> QueriesOfRun(const RunToEvaluate& run, const Sequence& sequence,
                                          const std::vector<CategoryModel>& models, int most_views) {
   const fs::path& folder = run.run.folder;
-  const Map map = ReadRunMap(folder, models);
+  const RunResults results = LoadRun(folder);
+  const Map map = ReadRunMap(results, models);
   const GroundTruth truth = LoadGroundTruth(run.truth);
-  const ObjectPairs pairs = PairsBySight(map, LoadRun(folder), truth);
+  const ObjectPairs pairs = PairsBySight(map, results, truth);
   const ViewsOfCameras views =
       ViewsOf(map, CamerasOf(map, pairs, most_views), sequence, models, ReadRunOptions(folder));
   return QueriesOfMap(map, pairs, truth, views, most_views);
@@ -129,11 +130,12 @@ std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
                                          const std::vector<std::string>& names, const fs::path& cad,
                                          const RetrievalTableArguments& arguments) {
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
-  const InstanceLibrary true_models =
-      cad.empty() ? library : BuildLibrary(models, ReadCadFolder(cad, SpecsOf(models)), cad);
+  std::optional<InstanceLibrary> of_cad;
+  if (!cad.empty()) of_cad = LibraryOfFolder(cad, models);
   std::deque<Sequence> sequences;
   EvaluatedQueries evaluated{QueriesOfRuns(runs, models, sequences), {}};
-  RetrievalEvaluation evaluation(evaluated.queries, models, library, true_models, kSurfacePoints);
+  RetrievalEvaluation evaluation(evaluated.queries, models, library, of_cad ? *of_cad : library,
+                                 kSurfacePoints);
   std::vector<RetrievalVariant> variants = VariantsForSeen();
   std::erase_if(variants, [&](const RetrievalVariant& v) { return !IsNeeded(v.name, names); });
   EvaluateVariants(variants, evaluation, evaluated);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "app/retrieval_files.h"
+
 #include <fmt/format.h>
 
 #include <map>
 
-#include "app/retrieve_run.h"
 #include "io/csv.h"
 #include "io/number_format.h"
 #include "io/text.h"

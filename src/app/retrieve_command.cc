@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/place_models.h"
 #include "app/printed_tables.h"
+#include "app/retrieval_files.h"
 #include "app/retrieve_report.h"
 #include "app/retrieve_run.h"
 #include "eval/run_results.h"

@@ -20,8 +20,7 @@ std::string InstanceText(const ObjectInstances& found, const RetrievedInstance& 
 std::string NumberMeaning(const RetrievalOptions& options) {
   if (options.rerank) {
     return "in brackets: what re-ranking orders by, the mean over the views of the cost of visible edges "
-           "without "
-           "segment and of the box; smaller is better";
+           "without segment and of the box; smaller is better";
   }
   if (options.covariance) {
     return "in brackets: distance from the estimated coefficients in standard deviations of their covariance";

@@ -44,13 +44,13 @@ class Looker {
   ViewsOfCameras views_;
 };
 
-fs::path SequenceOf(const RunIdentity& identity, const fs::path& given) {
-  fs::path folder = given.empty() ? identity.sequence_folder : given;
+fs::path SequenceOf(const RunResults& run, const fs::path& given) {
+  fs::path folder = given.empty() ? run.sequence_folder : given;
   if (fs::exists(folder / "sequence.yaml")) return folder;
   throw InputError(
       fmt::format("{}: its sequence is not at '{}'; name its folder with --sequence, or do not re-rank "
                   "(--set retrieval.rerank=false)",
-                  identity.folder.string(), folder.string()));
+                  run.folder.string(), folder.string()));
 }
 
 }  // namespace
@@ -58,11 +58,11 @@ fs::path SequenceOf(const RunIdentity& identity, const fs::path& given) {
 RunRetrieval RetrieveRun(const fs::path& run, const fs::path& sequence,
                          const std::vector<CategoryModel>& models, const OpenLibrary& library,
                          const RetrievalOptions& options) {
-  const RunIdentity identity = IdentifyRun(run);
-  RunRetrieval retrieval{run, identity.sequence, ReadRunMap(run, models), {}};
+  const RunResults results = LoadRun(run);
+  RunRetrieval retrieval{run, results.sequence, ReadRunMap(results, models), {}};
   std::optional<Looker> looker;
   if (options.rerank && !retrieval.map.objects.empty())
-    looker.emplace(retrieval, SequenceOf(identity, sequence), models, options);
+    looker.emplace(retrieval, SequenceOf(results, sequence), models, options);
   for (size_t o = 0; o < retrieval.map.objects.size(); ++o) {
     const MapObject& object = retrieval.map.objects[o];
     ObjectInstances& found = retrieval.objects.emplace_back();

@@ -30,8 +30,4 @@ RunRetrieval RetrieveRun(const std::filesystem::path& run, const std::filesystem
                          const std::vector<CategoryModel>& models, const OpenLibrary& library,
                          const RetrievalOptions& options);
 
-// retrieval.csv in the run's folder, a row an object and instance, and the nearest instance's name in
-// objects.csv. Each file is replaced whole.
-void WriteRetrieval(const RunRetrieval& retrieval);
-
 }  // namespace armature

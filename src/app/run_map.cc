@@ -9,7 +9,6 @@
 
 #include "app/interrupt.h"
 #include "eval/placed_objects.h"
-#include "eval/run_results.h"
 #include "io/errors.h"
 #include "io/image.h"
 #include "io/options_yaml.h"
@@ -75,16 +74,16 @@ size_t ImageAt(double timestamp, const Sequence& sequence) {
 
 }  // namespace
 
-Map ReadRunMap(const fs::path& run, const std::vector<CategoryModel>& models) {
+Map ReadRunMap(const RunResults& run, const std::vector<CategoryModel>& models) {
   Map map;
-  map.objects = ReadObjects(run, models);
+  map.objects = ReadObjects(run.folder, models);
   if (map.objects.empty()) return map;
-  for (const TimedPose& camera : ReadTumTrajectory(run / "trajectory.txt")) {
+  for (const TimedPose& camera : ReadTumTrajectory(run.folder / "trajectory.txt")) {
     map.timestamps.push_back(camera.timestamp);
     map.T_world_camera.push_back(camera.pose);
   }
   map.phi.resize(map.timestamps.size());
-  for (const auto& [key, observation] : LoadRun(run).observations) {
+  for (const auto& [key, observation] : run.observations) {
     const auto camera =
         std::lower_bound(map.timestamps.begin(), map.timestamps.end(), observation.timestamp - kSameStamp);
     if (camera == map.timestamps.end() || *camera > observation.timestamp + kSameStamp) continue;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "category/category_model.h"
+#include "eval/run_results.h"
 #include "io/sequence.h"
 #include "mapping/solve_map.h"
 #include "pipeline/options.h"
@@ -14,10 +15,10 @@
 
 namespace armature {
 
-// trajectory.txt, objects.csv, shape_evidence.csv and observations.csv. Objects point into `models`. A run
+// With trajectory.txt, objects.csv and shape_evidence.csv of its folder. Objects point into `models`. A run
 // without map gives one without cameras. Throws InputError: a missing or malformed file, a category without
 // model, a shape of more coefficients than its category's model has.
-Map ReadRunMap(const std::filesystem::path& run, const std::vector<CategoryModel>& models);
+Map ReadRunMap(const RunResults& run, const std::vector<CategoryModel>& models);
 
 // The options that the run had (config.yaml). Throws InputError: missing, malformed.
 Options ReadRunOptions(const std::filesystem::path& run);

@@ -31,6 +31,11 @@ struct Neighbour {
   bool operator==(const Neighbour&) const = default;
 };
 
+// By distance, equally far ones by instance.
+inline bool IsNearer(const Neighbour& a, const Neighbour& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.instance < b.instance;
+}
+
 class InstanceIndex {
  public:
   // `features`: D x N, a column an instance, finite; N = 0 is an index that finds nothing. The same seed

@@ -15,11 +15,6 @@
 
 namespace armature {
 
-// By distance, equally far ones by instance.
-inline bool IsNearer(const Neighbour& a, const Neighbour& b) {
-  return a.distance != b.distance ? a.distance < b.distance : a.instance < b.instance;
-}
-
 // Squared, in single precision, so that FLANN, which goes on only below it and adds up with rounding, still
 // offers whatever is that far in double precision.
 inline float BoundOf(double distance) {

@@ -32,10 +32,12 @@ class InstanceRetrieval {
   // that is asked for and there are sightings.
   std::vector<RetrievedInstance> Retrieve(const ShapeQuery& query, const ObjectSightings* sightings) const;
 
+  // By the shape alone: no radius, no re-ranking.
+  std::vector<Neighbour> Nearest(const ShapeQuery& query, int k) const;
+
   const CategoryInstances& instances() const { return instances_; }
 
  private:
-  std::vector<Neighbour> Nearest(const ShapeQuery& query, int k) const;
   void Rerank(const ObjectSightings& sightings, std::vector<RetrievedInstance>& retrieved) const;
 
   const CategoryModel& model_;

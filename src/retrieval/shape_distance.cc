@@ -82,11 +82,8 @@ std::vector<Neighbour> Likeliest(const CategoryInstances& instances, const Shape
       neighbours.push_back({static_cast<int>(start + i), distances(i)});
   }
   const auto count = std::min(neighbours.size(), static_cast<size_t>(std::max(k, 0)));
-  const auto nearer = [](const Neighbour& a, const Neighbour& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.instance < b.instance;
-  };
   std::partial_sort(neighbours.begin(), neighbours.begin() + static_cast<std::ptrdiff_t>(count),
-                    neighbours.end(), nearer);
+                    neighbours.end(), IsNearer);
   neighbours.resize(count);
   return neighbours;
 }
