@@ -45,8 +45,11 @@ void AddSection(const BenchSection& section, Json& json) {
                               {"frames_discarded", section.warmed_up},
                               {"runs_counted", section.rows.size()}});
   for (const BenchSeries& series : section.series) json["series"].push_back(SeriesJson(section, series));
-  for (const Table& table : section.tables)
+  for (Table table : section.tables) {
+    table.name = section.name;
+    table.sequence = section.sequence;
     json["tables"].push_back(Json::parse(FormatTable(table, TableFormat::kJson)));
+  }
 }
 
 std::string Field(const std::optional<double>& milliseconds) {

@@ -87,6 +87,8 @@ std::string RawRow(const std::string& start, const JudgedMatch& match) {
 Table EdgeTable(const std::string& sequence, const std::vector<NamedEvaluation>& runs) {
   Table table;
   table.title = sequence + ": matches of edges and segments";
+  table.name = "edges";
+  table.sequence = sequence;
   table.columns = {"run", "category", "detections", "matches", "true edges"};
   for (const std::string prefix : {"", "~"}) {
     for (const char* column :

@@ -94,6 +94,8 @@ std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs, bool on
 Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>& runs, bool only_ok) {
   Table table;
   table.title = sequence + (only_ok ? ": estimates with status ok" : ": all estimates");
+  table.name = only_ok ? "observations_ok" : "observations";
+  table.sequence = sequence;
   table.columns = {"run", "category", "detections", "estimates"};
   if (!only_ok) table.columns.push_back("ok [%]");
   for (const char* column :

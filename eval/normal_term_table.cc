@@ -64,6 +64,8 @@ Table NormalTermTable(const SequenceObjects& sequence, const std::vector<NamedEv
     throw std::invalid_argument("objects and observations are of different runs");
   Table table;
   table.title = sequence.sequence + ": pitch and roll, and the normal term [deg]";
+  table.name = "normal";
+  table.sequence = sequence.sequence;
   table.columns = {"run", "normal term"};
   for (const std::string of : {"objects", "observations"}) {
     for (const char* column : {"", ": pitch mean", ": pitch median", ": roll mean", ": roll median"})

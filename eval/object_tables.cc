@@ -128,6 +128,8 @@ std::vector<std::string> ObjectNotes(const SequenceObjects& sequence) {
 Table ObjectSummaryTable(const SequenceObjects& sequence) {
   Table table;
   table.title = sequence.sequence + ": objects of the map";
+  table.name = "objects";
+  table.sequence = sequence.sequence;
   table.columns = {"run",           "approach",   "category", "true",      "observed",    "found",
                    "missed",        "spurious",   "best [m]", "worst [m]", "average [m]", "median [m]",
                    "azimuth [deg]", "tilt [deg]", "size [m]", "IoU"};
@@ -146,6 +148,8 @@ Table ObjectSummaryTable(const SequenceObjects& sequence) {
 Table EachObjectTable(const SequenceObjects& sequence) {
   Table table;
   table.title = sequence.sequence + ": each object";
+  table.name = "each_object";
+  table.sequence = sequence.sequence;
   table.columns = {"run",        "approach",      "id",         "category", "status", "map object",
                    "centre [m]", "azimuth [deg]", "tilt [deg]", "size [m]", "IoU",    "observations"};
   for (const NamedObjects& run : sequence.runs) {

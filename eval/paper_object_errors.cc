@@ -148,6 +148,7 @@ std::vector<std::string> OddEntries(const std::vector<PaperObjectErrors>& paper)
 Table PaperTable(const std::vector<SequenceObjects>& sequences, const std::vector<PaperObjectErrors>& paper) {
   Table table;
   table.title = "Object localization error [m], as the paper tells it";
+  table.name = "paper";
   table.columns = {"Sequence", "Approach", "# Objects", "Best", "Worst", "Average"};
   table.notes = {
       "Best, worst, average: distance of the centres, of the objects counted under # Objects. An object of "

@@ -72,6 +72,7 @@ std::string IdOf(const InstanceLibrary& library, const std::string& category, in
 Table RetrievalTable(const EvaluatedQueries& evaluated) {
   Table table;
   table.title = "CAD retrieval";
+  table.name = "retrieval";
   table.columns = SummaryColumns();
   const QuerySet all = AllQueries(evaluated);
   for (const std::string& run : ValuesOf(evaluated, all, &RetrievalQuery::run)) {
@@ -98,6 +99,7 @@ Table RetrievalTable(const EvaluatedQueries& evaluated) {
 Table EachQueryTable(const EvaluatedQueries& evaluated, const InstanceLibrary& library) {
   Table table;
   table.title = "CAD retrieval of each object";
+  table.name = "each_query";
   table.columns = {"run",         "sequence",        "object",         "true model",
                    "rank k-NN",   "rank covariance", "rank re-ranked", "first other",
                    "Chamfer [cm]"};

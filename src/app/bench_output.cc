@@ -3,23 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
 #include "app/printed_tables.h"
 #include "bench/plots/section_plots.h"
 #include "io/run_folder.h"
+#include "io/whole_file.h"
 
 namespace armature {
 namespace {
-
-void WriteBenchFile(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written; is the disk full?");
-}
 
 // What makes a line a comment, or a paragraph of its own.
 std::pair<std::string, std::string> LineFrame(TableFormat format) {
@@ -56,12 +46,9 @@ void WritePlots(const BenchReport& report, size_t objects, const BenchFolder& fo
 
 void WriteBench(const BenchResults& results, BenchFolder& folder) {
   const std::filesystem::path& to = folder.partial();
-  WriteBenchFile(to / "bench.json", BenchText(results, TableFormat::kJson));
-  WriteBenchFile(to / "raw.csv", RawCsv(results.report));
-  WriteBenchFile(to / "tables.txt", BenchText(results, TableFormat::kText));
-  WriteBenchFile(to / "tables.md", BenchText(results, TableFormat::kMarkdown));
-  WriteBenchFile(to / "tables.csv", BenchText(results, TableFormat::kCsv));
-  WriteBenchFile(to / "tables.tex", BenchText(results, TableFormat::kLatex));
+  WriteWholeFile(to / "bench.json", BenchText(results, TableFormat::kJson));
+  WriteWholeFile(to / "raw.csv", RawCsv(results.report));
+  WriteTableFiles(to, [&](TableFormat format) { return BenchText(results, format); });
   folder.Publish();
 }
 

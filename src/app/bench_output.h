@@ -32,8 +32,8 @@ class BenchFolder : public OutputFolder {
 // plots/*.svg, see section_plots.h; `objects`: in the frames of the comparison.
 void WritePlots(const BenchReport& report, size_t objects, const BenchFolder& folder);
 
-// bench.json, raw.csv and tables.{txt,md,csv,tex}, then publishes the folder. Throws std::runtime_error for a
-// file that cannot be written.
+// bench.json, raw.csv and tables.{txt,md,csv,tex}, then publishes the folder. Throws InputError for a file
+// that cannot be written.
 void WriteBench(const BenchResults& results, BenchFolder& folder);
 
 }  // namespace armature

@@ -7,8 +7,10 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include "app/eval_inputs.h"
+#include "app/eval_output.h"
 #include "app/printed_tables.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
@@ -143,12 +145,31 @@ std::vector<Table> TablesOf(const EvalArguments& arguments, TableFormat format) 
   return tables;
 }
 
+// Raw rows go into the folder, too, unless a file is named for them.
+void KeepRawRows(const fs::path& folder, EvalArguments& a) {
+  const auto keep = [&](fs::path& file, const char* name) {
+    if (file.empty()) file = folder / name;
+  };
+  keep(a.trajectories.raw, "trajectories.csv");
+  if (AreTrajectoryFiles(a.runs)) return;
+  keep(a.observations.raw, "detections.csv");
+  if (IsAsked("edges", a)) keep(a.observations.raw_edges, "edges.csv");  // else it would demand their truth
+  keep(a.objects.raw, "objects.csv");
+}
+
 }  // namespace
 
-int RunEval(const EvalArguments& arguments) {
+int RunEval(EvalArguments arguments) {
   const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
   CheckTableNames(arguments.tables);
-  fmt::print("{}", FormatTables(TablesOf(arguments, format), format));
+  std::optional<EvalFolder> folder;
+  if (!arguments.out.empty()) {
+    folder.emplace(arguments.out);
+    KeepRawRows(folder->partial(), arguments);
+  }
+  const std::vector<Table> tables = TablesOf(arguments, format);
+  if (folder) WriteEvaluation(arguments.runs, tables, *folder);
+  fmt::print("{}", FormatTables(tables, format));
   return 0;
 }
 
@@ -172,6 +193,8 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   AddObservationArguments(*eval, a.observations);
   eval->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
   eval->add_flag("--json", a.json, "the same as --format json");
+  eval->add_option("--out", a.out, "also write eval.json, the tables and all raw rows to this folder")
+      ->type_name("DIR");
   AddTrajectoryArguments(*eval, a.trajectories);
   AddObjectArguments(*eval, a.objects);
   AddRetrievalTableArguments(*eval, a.retrieval);

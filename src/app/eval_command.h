@@ -29,6 +29,7 @@ struct EvalArguments {
   std::vector<std::string> tables;  // of kTableNames; empty: all for which there are results and truth
   std::string format = "text";
   bool json = false;
+  std::filesystem::path out;  // folder for the tables and all raw rows, see eval_output.h; empty: none
   ObservationArguments observations;
   TrajectoryArguments trajectories;
   ObjectArguments objects;
@@ -39,7 +40,7 @@ struct EvalArguments {
 // Prints two tables of observations, one of edges where the truth has them, one of trajectories and three of
 // objects a sequence, one of objects beside the paper's, and one of retrieval where a library is named.
 // Without runs: that of the library alone. Returns the exit status; throws InputError.
-int RunEval(const EvalArguments& arguments);
+int RunEval(EvalArguments arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.
 void AddEvalCommand(CLI::App& app, int& exit_status);

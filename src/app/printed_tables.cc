@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/whole_file.h"
+
 namespace armature {
 
 std::string FormatTables(const std::vector<Table>& tables, TableFormat format) {
@@ -18,6 +20,14 @@ std::string FormatTables(const std::vector<Table>& tables, TableFormat format) {
     text += FormatTable(table, format);
   }
   return text;
+}
+
+void WriteTableFiles(const std::filesystem::path& folder,
+                     const std::function<std::string(TableFormat)>& text) {
+  WriteWholeFile(folder / "tables.txt", text(TableFormat::kText));
+  WriteWholeFile(folder / "tables.md", text(TableFormat::kMarkdown));
+  WriteWholeFile(folder / "tables.csv", text(TableFormat::kCsv));
+  WriteWholeFile(folder / "tables.tex", text(TableFormat::kLatex));
 }
 
 void AddCategoriesArguments(CLI::App& command, ConfigurationArguments& arguments) {

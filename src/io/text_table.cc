@@ -187,8 +187,11 @@ Json CellJson(const Cell& cell) {
 }
 
 std::string FormatJson(const Table& table) {
-  Json json{
-      {"title", table.title}, {"columns", table.columns}, {"rows", Json::array()}, {"notes", table.notes}};
+  Json json = Json::object();
+  if (!table.name.empty()) json["table"] = table.name;
+  if (!table.sequence.empty()) json["sequence"] = table.sequence;
+  json.update(
+      {{"title", table.title}, {"columns", table.columns}, {"rows", Json::array()}, {"notes", table.notes}});
   for (const auto& row : table.rows) {
     Json object = Json::object();
     for (size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = CellJson(row[i]);

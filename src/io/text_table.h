@@ -26,6 +26,9 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;  // each as long as the columns
   std::vector<std::string> notes;  // under the table: what each span or number means; wrapped in plain text
+  // For programs: the kind of table, as commands take it ("objects"), and the sequence that it is of.
+  std::string name{};
+  std::string sequence{};  // empty: of none alone
 };
 
 enum class TableFormat { kText, kMarkdown, kCsv, kLatex, kJson };
