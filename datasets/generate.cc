@@ -135,10 +135,12 @@ Generated GenerateCad(const fs::path& folder, const CollectionOptions& options,
 Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInstance>& collection,
                            const fs::path& out, const SequenceOptions& options,
                            const GenerationProgress& progress) {
-  const Scene scene = ReadScene(scene_file, collection);
+  const Scene scene = ReadScene(scene_file, collection, options.draw);
   const int frames = options.frames > 0 ? std::min(options.frames, scene.frames) : scene.frames;
-  const std::string stamp = GenerationStamp(
-      fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file)));
+  std::string made_from =
+      fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file));
+  if (options.draw != 1) made_from += fmt::format(" draw {}", options.draw);
+  const std::string stamp = GenerationStamp(made_from);
   const fs::path folder = out / scene.name;
   if (HasStamp(folder, stamp)) return {folder, false};
 

@@ -23,6 +23,7 @@ Generated GenerateCad(const std::filesystem::path& folder, const CollectionOptio
 struct SequenceOptions {
   int frames = 0;              // only the first so many of the path; 0: all
   double detection_noise = 1;  // factor of everything that the detections have wrong
+  int draw = 1;                // see ReadScene
 };
 
 // Renders one scene into a sequence folder OUT/<name of the scene>, with a copy of the scene file beside it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "datasets/scene/scene_yaml.h"
 
+#include <fmt/format.h>
+
 #include "datasets/scene/path_check.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
@@ -8,23 +10,29 @@
 namespace armature {
 namespace {
 
-void ReadHead(const YamlMap& map, Scene* scene) {
+constexpr std::uint64_t kBetweenDraws = 1000;  // of seeds
+
+void ReadHead(const YamlMap& map, int draw, Scene* scene) {
   int seed = 1;
   ReadFields(
       map,
       {Option("name", &scene->name, ""), Option("about", &scene->about, ""), Option("seed", &seed, "", 0),
        Option("fps", &scene->fps, "", 0.01, 1000), Option("frames", &scene->frames, "", 1, 100000)},
       {"camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry", "detections"});
-  scene->name = ReadName(map, "name");
-  scene->seed = static_cast<std::uint64_t>(seed);
+  scene->name = NameOfDraw(ReadName(map, "name"), draw);
+  scene->seed = static_cast<std::uint64_t>(seed) + kBetweenDraws * static_cast<std::uint64_t>(draw - 1);
 }
 
 }  // namespace
 
-Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance>& collection) {
+std::string NameOfDraw(const std::string& scene, int draw) {
+  return draw == 1 ? scene : fmt::format("{}-draw{}", scene, draw);
+}
+
+Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance>& collection, int draw) {
   const YamlMap map = YamlMap::Load(file);
   Scene scene;
-  ReadHead(map, &scene);
+  ReadHead(map, draw, &scene);
   scene.camera = ReadCamera(map);
   scene.room = ReadRoom(map);
   scene.lamps = ReadLamps(map, scene.room);

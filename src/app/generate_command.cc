@@ -83,7 +83,7 @@ int RunGenerate(const GenerateArguments& arguments) {
   const CollectionOptions collection_options;
   const std::vector<CadInstance> collection = DrawCollection(collection_options);
   for (const fs::path& scene : scenes)
-    ReadScene(scene, collection);  // all have to be right before anything is written
+    ReadScene(scene, collection, arguments.sequence.draw);  // all have to be right before anything is written
   CatchInterrupts();
   if (!arguments.without_cad) {
     Say(GenerateCad(arguments.out / "cad", collection_options, collection), "annotated CAD models");
@@ -122,6 +122,14 @@ void AddGenerateCommand(CLI::App& app, int& exit_status) {
           "factor of everything that detections have wrong: noise, misses, false alarms, turned viewpoints")
       ->check(CLI::NonNegativeNumber)
       ->type_name("FACTOR")
+      ->capture_default_str();
+  generate
+      ->add_option(
+          "--draw", a.sequence.draw,
+          "which draw of all that scenes leave to chance: 1 has the seed of the scene's file, 2, 3, ... "
+          "others, and sequences named NAME-draw2, ...")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N")
       ->capture_default_str();
   generate->add_flag("--without-cad", a.without_cad, "sequences only");
   generate->callback([arguments, &exit_status] { exit_status = RunGenerate(*arguments); });
