@@ -42,6 +42,13 @@ void Exchange(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+void ReplaceFolder(const fs::path& from, const fs::path& to) {
+  if (!fs::exists(to)) return fs::rename(from, to);
+  Exchange(from, to);
+  std::error_code ignored;
+  fs::remove_all(from, ignored);  // now the older one
+}
+
 OutputFolder::OutputFolder(const fs::path& folder, Replaceable replaceable)
     : replaceable_(std::move(replaceable)) {
   try {
@@ -69,13 +76,7 @@ void OutputFolder::CheckReplaceable() const {
 
 void OutputFolder::Publish() {
   CheckReplaceable();
-  if (fs::exists(folder_)) {
-    Exchange(partial_, folder_);
-    std::error_code ignored;
-    fs::remove_all(partial_, ignored);  // now the older one
-  } else {
-    fs::rename(partial_, folder_);
-  }
+  ReplaceFolder(partial_, folder_);
   partial_.clear();
 }
 

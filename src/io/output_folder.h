@@ -14,6 +14,10 @@ struct Replaceable {
   std::function<bool(const std::filesystem::path& folder)> is;
 };
 
+// Puts the finished folder `from` at `to` and removes what was there; in one step where the file system can.
+// Both are on one file system. Throws std::filesystem::filesystem_error.
+void ReplaceFolder(const std::filesystem::path& from, const std::filesystem::path& to);
+
 class OutputFolder {
  public:
   // Creates `folder`.partial-N beside the folder (and the folders around it). What is at `folder` stays as it
