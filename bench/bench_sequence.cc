@@ -8,6 +8,7 @@
 
 #include "io/errors.h"
 #include "io/image.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -48,7 +49,10 @@ void CheckHasObjects(const Sequence& sequence, size_t limit) {
 BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit) {
   CheckHasObjects(sequence, limit);
   BenchSequence loaded{sequence.name, sequence.camera, sequence.up, sequence.odometry_metric, {}};
-  for (size_t i = 0; i < CountOf(sequence, limit); ++i) loaded.frames.push_back(LoadFrame(sequence, i));
+  for (size_t i = 0; i < CountOf(sequence, limit); ++i) {
+    ThrowIfInterrupted();
+    loaded.frames.push_back(LoadFrame(sequence, i));
+  }
   return loaded;
 }
 

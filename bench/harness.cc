@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "pipeline/stage_clock.h"
 
 namespace armature {
@@ -43,6 +44,7 @@ void RaceOnce(const std::vector<Contender>& contenders, size_t inputs, size_t wa
     for (size_t turn = 0; turn < starters.size(); ++turn) {
       Starter& starter = starters[(input + turn) % starters.size()];
       if (!starter.TakesPart(input, input < warm_up)) continue;
+      ThrowIfInterrupted();
       BenchRow row = Run(*starter.contender, repetition, input);
       if (input < warm_up) continue;
       if (starter.contender->after) starter.contender->after(row);

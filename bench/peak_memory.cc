@@ -3,12 +3,14 @@
 
 #include <fcntl.h>
 #include <malloc.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -16,6 +18,7 @@
 #include <string>
 
 #include "io/errors.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -57,10 +60,19 @@ void Send(int pipe, const void* bytes, size_t size) {
   _exit(kDone);
 }
 
-std::string ReadAll(int pipe) {
+ssize_t ReadSome(int pipe, std::array<char, 4096>& part, pid_t child) {
+  constexpr int kBetweenLooks = 100;  // milliseconds
+  for (pollfd waiting{pipe, POLLIN, 0}; poll(&waiting, 1, kBetweenLooks) == 0;) {
+    if (InterruptSignal() != 0) kill(child, SIGKILL);
+  }
+  return read(pipe, part.data(), part.size());
+}
+
+// Until the child ends, at once if the user stops the program.
+std::string ReadAll(int pipe, pid_t child) {
   std::string all;
   std::array<char, 4096> part;
-  for (ssize_t size = 0; (size = read(pipe, part.data(), part.size())) != 0;) {
+  for (ssize_t size = 0; (size = ReadSome(pipe, part, child)) != 0;) {
     if (size > 0) all.append(part.data(), static_cast<size_t>(size));
     if (size < 0 && errno != EINTR) break;
   }
@@ -95,9 +107,10 @@ PeakMemory PeakMemoryOf(const std::function<void()>& work) {
   if (child < 0) throw std::runtime_error("measuring memory: no further process can be started");
   if (child == 0) RunChild(work, ends[1]);
   close(ends[1]);
-  const std::string sent = ReadAll(ends[0]);
+  const std::string sent = ReadAll(ends[0], child);
   int status = 0;
   const rusage usage = WaitFor(child, status);
+  ThrowIfInterrupted();
   PeakMemory memory;
   const size_t head = std::min(sent.size(), sizeof memory.before_mb);
   std::memcpy(&memory.before_mb, sent.data(), head);

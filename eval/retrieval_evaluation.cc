@@ -8,6 +8,7 @@
 #include "eval/category_lookup.h"
 #include "eval/retrieval_ranking.h"
 #include "geometry/random.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -109,7 +110,10 @@ RetrievalEvaluation::RetrievalEvaluation(const std::vector<RetrievalQuery>& quer
     std::vector<bool>& has_surface = has_surface_[instances.category];
     for (int i = 0; i < instances.size(); ++i) has_surface.push_back(HasSurface(library, instances, i));
   }
-  for (const RetrievalQuery& query : queries) Add(query, ModelOf(models, query.category), true_models);
+  for (const RetrievalQuery& query : queries) {
+    ThrowIfInterrupted();
+    Add(query, ModelOf(models, query.category), true_models);
+  }
 }
 
 void RetrievalEvaluation::Add(const RetrievalQuery& query, const CategoryModel& model,
@@ -149,6 +153,7 @@ std::vector<RetrievalOutcome> RetrievalEvaluation::Evaluate(const RetrievalOptio
   Rankings rankings(options);
   std::vector<RetrievalOutcome> outcomes;
   for (Asked& asked : asked_) {
+    ThrowIfInterrupted();
     outcomes.emplace_back();
     if (!asked.instances) continue;
     const InstanceRanking& ranking = rankings.Of(*asked.model, *asked.instances);
@@ -165,6 +170,7 @@ std::vector<RetrievalBaselines> RetrievalEvaluation::Baselines() {
   Rankings rankings(by_shape);
   std::vector<RetrievalBaselines> all;
   for (Asked& asked : asked_) {
+    ThrowIfInterrupted();
     RetrievalBaselines& baselines = all.emplace_back();
     if (!asked.instances) continue;
     const InstanceRanking& ranking = rankings.Of(*asked.model, *asked.instances);

@@ -7,6 +7,7 @@
 
 #include "eval/true_scene.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/nearest_name.h"
 
 namespace armature {
@@ -74,6 +75,7 @@ RunEvaluation EvaluateRun(const RunResults& run, const SequenceTruth& sequence,
   evaluation.sequence = sequence.name;
   evaluation.has_true_edges = sequence.edges.has_value();
   for (const auto& [key, object] : truth.detections) {
+    ThrowIfInterrupted();
     const double timestamp = static_cast<double>(key.first) / 1e6;
     const std::optional<size_t> camera = IndexOfStamp(truth.T_world_camera, timestamp);
     if (!camera) continue;

@@ -5,8 +5,8 @@
 #include <csignal>
 
 #include "app/configuration.h"
-#include "app/interrupt.h"
 #include "app/sequence_run.h"
+#include "io/interrupt.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/program.h"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "io/interrupt.h"
 #include "pipeline/stage_clock.h"
 
 namespace armature {
@@ -65,7 +66,10 @@ std::vector<BenchRow> RaceQueries(const InstanceIndex& index, const Eigen::Matri
 
 Answers AnswersOf(const InstanceIndex& index, const Eigen::MatrixXf& queries) {
   Answers answers;
-  for (const auto& query : queries.colwise()) answers.push_back(index.Nearest(query, kRetrieved));
+  for (const auto& query : queries.colwise()) {
+    ThrowIfInterrupted();
+    answers.push_back(index.Nearest(query, kRetrieved));
+  }
   return answers;
 }
 

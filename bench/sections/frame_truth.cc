@@ -4,6 +4,7 @@
 #include "eval/category_lookup.h"
 #include "eval/sequence_truth.h"
 #include "eval/true_scene.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -38,7 +39,10 @@ std::vector<FrameTruth> LoadFrameTruth(const std::filesystem::path& folder, cons
   const SequenceTruth truth = LoadSequenceTruth(folder, SpecsOf(models));
   const TrueScene scene(truth, models, cad);
   std::vector<FrameTruth> frames;
-  for (const BenchFrame& frame : sequence.frames) frames.push_back(TruthOf(frame.input, truth.truth, scene));
+  for (const BenchFrame& frame : sequence.frames) {
+    ThrowIfInterrupted();
+    frames.push_back(TruthOf(frame.input, truth.truth, scene));
+  }
   return frames;
 }
 

@@ -11,6 +11,7 @@
 
 #include "bench/lines_engine.h"
 #include "bench/spans.h"
+#include "io/interrupt.h"
 #include "pipeline/one_ahead.h"
 
 namespace armature {
@@ -41,6 +42,7 @@ PacedRun RunPaced(const BenchTask& task, const std::string& engine, bool pipelin
   PacedRun run{engine, pipelined, {}, 0};
   Clock::time_point start = Clock::now();
   for (size_t i = 0; i < frames.size(); ++i) {
+    ThrowIfInterrupted();
     if (i == task.settings.harness.warm_up) start = Clock::now();
     FoundLines found = ahead ? ahead->Take() : find(i);
     pipeline->Process(std::move(found.lines), frames[i].input);

@@ -12,6 +12,7 @@
 #include "eval/normal_term_table.h"
 #include "eval/object_tables.h"
 #include "eval/paper_object_errors.h"
+#include "io/console.h"
 #include "io/errors.h"
 
 namespace armature {
@@ -65,7 +66,7 @@ std::vector<EvaluatedSequence> EvaluateSequences(const std::vector<RunToEvaluate
     if (sequence.HasMap() || is_asked) {
       sequences.push_back(std::move(sequence));
     } else {
-      fmt::print(stderr, "armature: no tables of the objects of {}: no run on it has an objects.csv\n", name);
+      Note(fmt::format("no tables of the objects of {}: no run on it has an objects.csv", name));
     }
   }
   return sequences;

@@ -11,13 +11,13 @@
 
 #include "app/configuration.h"
 #include "app/instance_libraries.h"
-#include "app/interrupt.h"
 #include "app/run_map.h"
 #include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/retrieval_tables.h"
 #include "eval/retrieval_variant_tables.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/library_file.h"
 
 namespace armature {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/interrupt.h"
 #include "datasets/contact_sheet.h"
 #include "datasets/scene/scene_yaml.h"
 #include "io/errors.h"
 #include "io/image_writer.h"
+#include "io/interrupt.h"
 #include "io/nearest_name.h"
 #include "io/progress.h"
 
@@ -84,13 +84,18 @@ int RunGenerate(const GenerateArguments& arguments) {
   const std::vector<CadInstance> collection = DrawCollection(collection_options);
   for (const fs::path& scene : scenes)
     ReadScene(scene, collection, arguments.sequence.draw);  // all have to be right before anything is written
-  CatchInterrupts();
+  std::vector<std::string> made;
   if (!arguments.without_cad) {
-    Say(GenerateCad(arguments.out / "cad", collection_options, collection), "annotated CAD models");
+    const Generated cad = GenerateCad(arguments.out / "cad", collection_options, collection);
+    made.push_back(cad.folder.string());
+    Say(cad, "annotated CAD models");
   }
   std::vector<Generated> sequences;
   for (const fs::path& scene : scenes) {
-    sequences.push_back(GenerateWithProgress(scene, collection, arguments.out, arguments.sequence));
+    sequences.push_back(InterruptedAfter(made, [&] {
+      return GenerateWithProgress(scene, collection, arguments.out, arguments.sequence);
+    }));
+    made.push_back(sequences.back().folder.string());
     Say(sequences.back(), "sequence with ground truth");
   }
   ShowOnOneSheet(sequences, arguments.out / "contact_sheet.jpg");

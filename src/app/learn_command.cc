@@ -13,6 +13,7 @@
 #include "io/annotations.h"
 #include "io/category_yaml.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/library_file.h"
 
 namespace armature {
@@ -97,6 +98,7 @@ int RunLearn(const LearnArguments& arguments) {
     report.comparison = Compared(spec, report.model, models.wireframes, Others(spec, arguments));
   }
 
+  ThrowIfInterrupted();
   if (!arguments.out.empty()) {
     WriteCategory(report.model, arguments.out);
     report.out = arguments.out.string();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program. Exit status: 0 done, 1 ran and failed, 2 bad usage or bad input.
+// The program. Exit status: 0 done, 1 ran and failed, 2 bad usage or bad input, 130 and 143 interrupted.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,14 +13,15 @@
 #include "app/bench_command.h"
 #include "app/eval_command.h"
 #include "app/generate_command.h"
-#include "app/interrupt.h"
 #include "app/learn_command.h"
 #include "app/photo_command.h"
 #include "app/posegraph_command.h"
 #include "app/retrieve_command.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
+#include "io/console.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/nearest_name.h"
 
 namespace armature {
@@ -30,9 +31,14 @@ constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 int Report(std::string message, int status) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "armature: {}\n", message);
+  PrintError(std::move(message));
   return status;
+}
+
+// A signal reaches child processes, too: what they then fail at is no failure of ours.
+int ReportFailure(const std::exception& error) {
+  if (InterruptSignal() == 0) return Report(error.what(), kFailed);
+  return Report(fmt::format("interrupted: {}", error.what()), ExitStatusOf(InterruptSignal()));
 }
 
 std::string VersionText() {
@@ -85,8 +91,10 @@ int Main(int argc, char** argv) {
     return ReportUsage(app, error, {argv + 1, argv + argc});
   } catch (const InputError& error) {
     return Report(error.what(), kBadInput);
+  } catch (const Interrupted& error) {
+    return Report(error.what(), ExitStatusOf(InterruptSignal()));
   } catch (const std::exception& error) {
-    return Report(error.what(), kFailed);
+    return ReportFailure(error);
   }
 }
 

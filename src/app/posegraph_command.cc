@@ -8,9 +8,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/interrupt.h"
 #include "io/errors.h"
 #include "io/g2o.h"
+#include "io/interrupt.h"
 #include "io/nearest_name.h"
 #include "io/text_table.h"
 #include "mapping/pose_graph.h"

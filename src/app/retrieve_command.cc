@@ -6,14 +6,15 @@
 #include <memory>
 
 #include "app/instance_libraries.h"
-#include "app/interrupt.h"
 #include "app/place_models.h"
 #include "app/printed_tables.h"
 #include "app/retrieval_files.h"
 #include "app/retrieve_report.h"
 #include "app/retrieve_run.h"
 #include "eval/run_results.h"
+#include "io/console.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/library_file.h"
 #include "io/progress.h"
 
@@ -21,8 +22,6 @@ namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
-
-void Note(const std::string& line) { fmt::print(stderr, "armature: {}\n", line); }
 
 void CheckArguments(const RetrieveArguments& arguments) {
   if (arguments.build) {

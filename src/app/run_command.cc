@@ -10,6 +10,7 @@
 #include "app/sequence_run.h"
 #include "io/errors.h"
 #include "io/image.h"
+#include "io/interrupt.h"
 #include "io/run_folder.h"
 #include "io/sequence.h"
 
@@ -76,8 +77,11 @@ int RunRun(const RunArguments& arguments) {
   CheckBeforeRunning(sequences, folders);
 
   std::vector<SequenceRunResult> results;
+  std::vector<std::string> finished;
   for (size_t i = 0; i < sequences.size(); ++i) {
-    results.push_back(RunSequence(sequences[i], settings, folders[i]));
+    results.push_back(
+        InterruptedAfter(finished, [&] { return RunSequence(sequences[i], settings, folders[i]); }));
+    finished.push_back(folders[i].string());
   }
   fmt::print("{}", arguments.json ? RunReportJson(results) : RunReportText(results));
   return 0;

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "app/interrupt.h"
 #include "eval/placed_objects.h"
 #include "io/errors.h"
 #include "io/image.h"
+#include "io/interrupt.h"
 #include "io/options_yaml.h"
 #include "io/shape_evidence_csv.h"
 #include "io/trajectory.h"

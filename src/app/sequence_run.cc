@@ -11,10 +11,11 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "app/interrupt.h"
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/image.h"
 #include "io/image_writer.h"
+#include "io/interrupt.h"
 #include "io/overlay.h"
 #include "io/progress.h"
 #include "io/run_writer.h"
@@ -85,12 +86,12 @@ void NoteOdometryGaps(const Sequence& sequence) {
   const OdometryCoverage& c = sequence.coverage;
   if (c.poses == 0) return;
   if (c.interpolated > 0) {
-    fmt::print(stderr, "armature: {}: {} of {} images take a pose between two of the odometry's\n",
-               sequence.name, c.interpolated, c.images);
+    Note(fmt::format("{}: {} of {} images take a pose between two of the odometry's", sequence.name,
+                     c.interpolated, c.images));
   }
   if (c.gaps > 0) {
-    fmt::print(stderr, "armature: {}: {} of {} images have no odometry; gaps: {}, the longest {:.2f} s\n",
-               sequence.name, c.images - c.images_with_pose, c.images, c.gaps, c.longest_gap);
+    Note(fmt::format("{}: {} of {} images have no odometry; gaps: {}, the longest {:.2f} s", sequence.name,
+                     c.images - c.images_with_pose, c.images, c.gaps, c.longest_gap));
   }
 }
 
@@ -137,7 +138,7 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
     const ImageResult& colour = prepared.colour;
     if (!colour.image) {
       if (i == 0) throw InputError(colour.error);
-      fmt::print(stderr, "armature: skipped {}\n", colour.error);
+      Note("skipped " + colour.error);
       writer.AddSkippedImage(sequence.images[i].timestamp, colour.error);
     } else {
       const FrameResult frame = ProcessFrame(sequence, i, prepared, pipeline);

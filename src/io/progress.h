@@ -1,20 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress on standard error: a bar on a terminal, a line each 10 % elsewhere.
+// Progress on standard error: on a terminal a bar with the time that is left, elsewhere a line each 10 %,
+// nothing with --quiet.
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <ostream>
 #include <string>
 
+#include "io/console.h"
+#include "io/remaining_time.h"
+
 namespace armature {
+
+// Where progress is shown.
+struct ProgressScreen {
+  std::ostream* stream = nullptr;  // none: nothing is shown
+  Screen screen;
+  std::function<int()> columns = TerminalColumns;  // of the terminal, asked for each bar: it may be resized
+};
 
 class Progress {
  public:
   // `what`: what is counted, "office_dev: frames".
   Progress(std::string what, long total);
-  // Writing to a stream of the caller's choice.
-  Progress(std::string what, long total, std::ostream& stream, bool is_terminal);
-  // Ends the bar's line.
+  Progress(std::string what, long total, ProgressScreen screen);
+  // Ends the bar's line, with the time that was taken.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -23,14 +34,16 @@ class Progress {
   void Step();
 
  private:
-  void DrawBar();
+  double Elapsed() const;  // seconds
+  void DrawBar(const std::string& time);
 
   std::string what_;
   long total_;
-  std::ostream& stream_;
-  bool is_terminal_;
+  ProgressScreen out_;
   long done_ = 0;
   long tenths_shown_ = 0;
+  RemainingTime remaining_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point drawn_{};
 };
 
