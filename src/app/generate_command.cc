@@ -92,9 +92,8 @@ int RunGenerate(const GenerateArguments& arguments) {
   }
   std::vector<Generated> sequences;
   for (const fs::path& scene : scenes) {
-    sequences.push_back(InterruptedAfter(made, [&] {
-      return GenerateWithProgress(scene, collection, arguments.out, arguments.sequence);
-    }));
+    sequences.push_back(InterruptedAfter(
+        made, [&] { return GenerateWithProgress(scene, collection, arguments.out, arguments.sequence); }));
     made.push_back(sequences.back().folder.string());
     Say(sequences.back(), "sequence with ground truth");
   }

@@ -16,6 +16,7 @@
 #include "app/learn_command.h"
 #include "app/photo_command.h"
 #include "app/posegraph_command.h"
+#include "app/reproduce/reproduce_command.h"
 #include "app/retrieve_command.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
@@ -80,6 +81,7 @@ int Main(int argc, char** argv) {
   AddPhotoCommand(app, exit_status);
   AddEvalCommand(app, exit_status);
   AddBenchCommand(app, exit_status);
+  AddReproduceCommand(app, exit_status);
   AddLearnCommand(app, exit_status);
   AddRetrieveCommand(app, exit_status);
   AddGenerateCommand(app, exit_status);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reproduce/all_tables.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/printed_tables.h"
+#include "app/reproduce/matrix_tables.h"
+#include "io/text.h"
+#include "io/whole_file.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// Folders of evaluations and benchmarks that have succeeded.
+std::vector<fs::path> FoldersWithTables(const fs::path& folder, const std::vector<JobRecord>& jobs) {
+  std::vector<fs::path> folders;
+  for (const JobRecord& job : jobs) {
+    const bool has_tables = job.name.starts_with("evaluation/") || job.name.starts_with("timings/");
+    if (has_tables && job.HasSucceeded()) folders.push_back(folder / job.name);
+  }
+  return folders;
+}
+
+Json TablesOf(const fs::path& folder) {
+  const fs::path eval = folder / "eval.json";
+  return Json::parse(ReadTextFile(fs::exists(eval) ? eval : folder / "bench.json")).at("tables");
+}
+
+}  // namespace
+
+void WriteAllTables(const fs::path& folder, const std::vector<Table>& tables,
+                    const std::vector<JobRecord>& jobs) {
+  std::vector<Table> own = tables;
+  own.push_back(JobTable(jobs));
+  const std::vector<fs::path> others = FoldersWithTables(folder, jobs);
+  for (const auto& [format, name] : {std::pair{TableFormat::kText, "tables.txt"},
+                                     {TableFormat::kMarkdown, "tables.md"},
+                                     {TableFormat::kCsv, "tables.csv"},
+                                     {TableFormat::kLatex, "tables.tex"}}) {
+    std::string text = FormatTables(own, format);
+    for (const fs::path& other : others) text += "\n" + ReadTextFile(other / name);
+    WriteWholeFile(folder / name, text);
+  }
+  Json json = Json::parse(FormatTables(own, TableFormat::kJson));
+  for (const fs::path& other : others) {
+    for (const Json& table : TablesOf(other)) json.push_back(table);
+  }
+  WriteWholeFile(folder / "tables.json", json.dump(2) + "\n");
+}
+
+}  // namespace armature

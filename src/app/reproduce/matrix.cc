@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reproduce/matrix.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "datasets/scene/scene_yaml.h"
+#include "io/errors.h"
+#include "io/nearest_name.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names that the user wants of one kind; all where none is named.
+class Wanted {
+ public:
+  Wanted(const std::vector<std::string>& names, const std::vector<std::string>& of_kind) {
+    for (const std::string& name : names) {
+      if (std::find(of_kind.begin(), of_kind.end(), name) != of_kind.end()) names_.insert(name);
+    }
+  }
+  bool Has(const std::string& name) const { return names_.empty() || names_.contains(name); }
+  bool Names(const std::string& name) const { return names_.contains(name); }
+  void Add(const std::string& name) { names_.insert(name); }
+
+ private:
+  std::set<std::string> names_;
+};
+
+std::vector<std::string> VariantNames(const Matrix& matrix) {
+  std::vector<std::string> names;
+  for (const Variant& variant : matrix.variants) names.push_back(variant.name);
+  return names;
+}
+
+std::vector<std::string> TimingNames(const Matrix& matrix) {
+  std::vector<std::string> names;
+  for (const Timing& timing : matrix.timings) names.push_back(timing.name);
+  return names;
+}
+
+void CheckKnown(const std::vector<std::string>& names, const Matrix& matrix) {
+  std::vector<std::string> known = FamilyNames(matrix);
+  for (const auto& more : {VariantNames(matrix), TimingNames(matrix)})
+    known.insert(known.end(), more.begin(), more.end());
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("--only: " + UnknownNameMessage("sequence, variant or timing", name, known));
+  }
+}
+
+void KeepVariants(Wanted wanted, Matrix& matrix) {
+  for (const Variant& variant : matrix.variants) {
+    if (!variant.IsRun() && wanted.Names(variant.name)) wanted.Add(variant.odometry_of);
+  }
+  std::erase_if(matrix.variants, [&](const Variant& variant) { return !wanted.Has(variant.name); });
+  std::erase_if(matrix.retrieval, [&](const std::string& name) { return !wanted.Has(name); });
+}
+
+void KeepSequences(const Wanted& wanted, Matrix& matrix) {
+  std::erase_if(matrix.scenes, [&](const std::string& name) { return !wanted.Has(name); });
+  std::erase_if(matrix.sequences,
+                [&](const fs::path& folder) { return !wanted.Has(folder.filename().string()); });
+  std::erase_if(matrix.timings, [&](Timing& timing) {
+    const bool needs_sequences = !timing.sequences.empty();
+    std::erase_if(timing.sequences, [&](const std::string& name) { return !wanted.Has(name); });
+    return needs_sequences && timing.sequences.empty();
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> FamilyNames(const Matrix& matrix) {
+  std::vector<std::string> names = matrix.scenes;
+  for (const fs::path& folder : matrix.sequences) names.push_back(folder.filename().string());
+  return names;
+}
+
+std::vector<std::string> RunVariants(const Matrix& matrix) {
+  std::vector<std::string> names;
+  for (const Variant& variant : matrix.variants) {
+    if (variant.IsRun()) names.push_back(variant.name);
+  }
+  return names;
+}
+
+void KeepOnly(const std::vector<std::string>& names, Matrix& matrix) {
+  CheckKnown(names, matrix);
+  const Wanted timings(names, TimingNames(matrix));
+  std::erase_if(matrix.timings, [&](const Timing& timing) { return !timings.Has(timing.name); });
+  KeepVariants(Wanted(names, VariantNames(matrix)), matrix);
+  KeepSequences(Wanted(names, FamilyNames(matrix)), matrix);
+}
+
+fs::path DataOfDraw(const Matrix& matrix, int draw) {
+  const fs::path data = fs::absolute(matrix.data).lexically_normal();
+  return draw == 1 ? data : data / fmt::format("draw{}", draw);
+}
+
+std::vector<MatrixSequence> SequencesOf(const Matrix& matrix) {
+  std::vector<MatrixSequence> sequences;
+  for (int draw = 1; draw <= matrix.seeds; ++draw) {
+    for (const std::string& scene : matrix.scenes) {
+      const std::string name = NameOfDraw(scene, draw);
+      sequences.push_back({name, scene, draw, DataOfDraw(matrix, draw) / name});
+    }
+  }
+  for (const fs::path& folder : matrix.sequences)
+    sequences.push_back({folder.filename().string(), folder.filename().string(), 1, folder});
+  return sequences;
+}
+
+}  // namespace armature

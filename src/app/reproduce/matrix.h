@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `armature reproduce` is to run: sequences under variants, timings, retrieval. configs/reproduce.yaml
+// says what each of these is in the file.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armature {
+
+// A category that is learnt from the rendered CAD models (`armature learn`).
+struct LearntCategory {
+  std::string name{};
+  std::array<double, 3> padding{0, 0, 0};  // metres, --padding
+  std::optional<double> slab_drop{};       // metres, --slab-drop
+};
+
+// A way of running the pipeline.
+struct Variant {
+  std::string name{};   // of its folder, too
+  std::string about{};  // as the tables say it
+  std::string preset = "default";
+  std::filesystem::path config{};  // absolute; empty: none
+  // No run of its own: the objects of that variant's runs, placed by odometry alone.
+  std::string odometry_of{};
+
+  bool IsRun() const { return odometry_of.empty(); }
+};
+
+// A call of `armature bench`, which has the machine for itself.
+struct Timing {
+  std::string name{};
+  std::vector<std::string> sequences{};  // names; empty: none
+  std::vector<std::string> tables{}, engines{};
+  int frames = 0;            // of each sequence, 0: all of the matrix
+  int baseline_frames = 12;  // about so many are given to a baseline
+};
+
+struct Matrix {
+  std::string name = "reproduce";                  // of the folder of results
+  std::filesystem::path data{};                    // where scenes are rendered to
+  std::vector<std::string> scenes{};               // shipped ones
+  std::vector<std::filesystem::path> sequences{};  // folders of one's own
+  int seeds = 1;                                   // draws of each scene
+  int frames = 0;                                  // the first so many of each sequence; 0: all
+  std::vector<LearntCategory> categories{};        // empty: those of CONFIGS/categories
+  std::vector<Variant> variants{};
+  std::vector<std::string> retrieval{};  // variants whose objects get their nearest CAD models
+  int library_every = 10;       // each so many-th of the library's instances is a query of its own, 0: none
+  std::filesystem::path cad{};  // annotated CAD models for it; empty: those rendered with the scenes
+  std::vector<Timing> timings{};
+};
+
+// Names of scenes, then of the folders of one's own.
+std::vector<std::string> FamilyNames(const Matrix& matrix);
+
+// Names of the variants that have runs of their own.
+std::vector<std::string> RunVariants(const Matrix& matrix);
+
+// Only what is named: sequences, variants, timings; a kind of which none is named is kept whole. Throws
+// InputError for a name that is none of them.
+void KeepOnly(const std::vector<std::string>& names, Matrix& matrix);
+
+// A sequence of the matrix: rendered from a scene, or of one's own.
+struct MatrixSequence {
+  std::string name{};    // of its run folders
+  std::string family{};  // the scene's name without the draw; else the name
+  int draw = 1;
+  std::filesystem::path folder{};  // absolute
+};
+
+// Where the sequences of a draw are rendered to; absolute.
+std::filesystem::path DataOfDraw(const Matrix& matrix, int draw);
+
+// Draw after draw, each in the order of the file.
+std::vector<MatrixSequence> SequencesOf(const Matrix& matrix);
+
+}  // namespace armature

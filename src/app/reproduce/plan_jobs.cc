@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reproduce/plan_jobs.h"
+
+#include <algorithm>
+
+#include "app/reproduce/job_planner.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool HasSucceeded(const std::vector<JobRecord>& done, const std::string& name) {
+  return std::any_of(done.begin(), done.end(),
+                     [&](const JobRecord& record) { return record.name == name && record.HasSucceeded(); });
+}
+
+// Of these variants those with a run that has succeeded.
+std::vector<std::string> WithRuns(const std::vector<std::string>& variants,
+                                  const std::vector<JobRecord>& done) {
+  std::vector<std::string> with_runs;
+  for (const std::string& variant : variants) {
+    const bool has_run = std::any_of(done.begin(), done.end(), [&](const JobRecord& record) {
+      return record.name.starts_with("runs/" + variant + "/") && record.HasSucceeded();
+    });
+    if (has_run) with_runs.push_back(variant);
+  }
+  return with_runs;
+}
+
+bool HaveTruth(const Matrix& matrix) {
+  const std::vector<MatrixSequence> sequences = SequencesOf(matrix);
+  return std::any_of(sequences.begin(), sequences.end(), [](const MatrixSequence& sequence) {
+    return fs::exists(sequence.folder / "groundtruth.txt") || fs::exists(sequence.folder / "objects_gt.csv");
+  });
+}
+
+}  // namespace
+
+std::vector<Job> PlanRuns(const Matrix& matrix, const PlanFolders& folders) {
+  const JobPlanner planner(matrix, folders);
+  std::vector<Job> jobs;
+  for (int draw = 1; draw <= matrix.seeds && !matrix.scenes.empty(); ++draw)
+    jobs.push_back(planner.Data(draw));
+  for (const LearntCategory& category : matrix.categories) jobs.push_back(planner.Category(category));
+  if (!matrix.retrieval.empty()) jobs.push_back(planner.Library());
+  for (const Variant& variant : matrix.variants) {
+    if (!variant.IsRun()) continue;
+    for (const MatrixSequence& sequence : SequencesOf(matrix)) jobs.push_back(planner.Run(variant, sequence));
+  }
+  for (const Timing& timing : matrix.timings) jobs.push_back(planner.Bench(timing));
+  return jobs;
+}
+
+std::vector<Job> PlanEvaluation(const Matrix& matrix, const PlanFolders& folders,
+                                const std::vector<JobRecord>& done) {
+  const JobPlanner planner(matrix, folders);
+  std::vector<Job> jobs;
+  const std::vector<std::string> variants = WithRuns(RunVariants(matrix), done);
+  const std::vector<std::string> retrieved = WithRuns(matrix.retrieval, done);
+  if (HaveTruth(matrix) && !variants.empty()) jobs.push_back(planner.Evaluation("accuracy", variants, {}));
+  if (HaveTruth(matrix) && !retrieved.empty()) {
+    jobs.push_back(planner.Evaluation("retrieval", retrieved,
+                                      {"--library", kLibraryFile, "--tables", "retrieval,each_query"}));
+    jobs.back().inputs.emplace_back(kLibraryFile);
+  }
+  if (HasSucceeded(done, "library") && matrix.library_every > 0) {
+    jobs.push_back(planner.Evaluation(
+        "library", {},
+        {"--library", kLibraryFile, "--tables", "library", "--every", std::to_string(matrix.library_every)}));
+    jobs.back().inputs.emplace_back(kLibraryFile);
+  }
+  return jobs;
+}
+
+Job PlanReport(const Matrix& matrix, const PlanFolders& folders, const std::vector<JobRecord>& done,
+               const std::vector<std::string>& tables) {
+  const JobPlanner planner(matrix, folders);
+  Job job{.name = "report", .outputs = {"report.html"}, .inputs = {planner.CategoriesInput()}};
+  std::vector<std::string> call{"report"};
+  const auto add = [&](const std::string& option, const std::string& input) {
+    if (!option.empty()) call.push_back(option);
+    call.push_back(input);
+    job.inputs.emplace_back(input);
+  };
+  for (const std::string& variant : WithRuns(RunVariants(matrix), done)) add("", "runs/" + variant);
+  planner.AddSequences(job);
+  for (const JobRecord& record : done) {
+    if (record.name.starts_with("evaluation/") && record.HasSucceeded()) add("--eval", record.name);
+    if (record.name.starts_with("timings/") && record.HasSucceeded()) add("--bench", record.name);
+  }
+  for (const std::string& table : tables) add("--table", table);
+  if (HasSucceeded(done, "library")) add("--library", kLibraryFile);
+  call.insert(call.end(), {"--title", matrix.name, "--out", "report.html"});
+  job.commands = {planner.Call(call)};
+  return job;
+}
+
+}  // namespace armature

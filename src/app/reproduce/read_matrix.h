@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the matrix that `armature reproduce` runs: configs/reproduce.yaml says what each key means.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/reproduce/matrix.h"
+
+namespace armature {
+
+// `fast`: with what the file's key `fast` changes. Relative configurations of variants are looked for beside
+// the file. Throws InputError naming file and line: an unknown key, a value of another type, a name that is
+// used twice or not known, nothing to run.
+Matrix ReadMatrix(const std::filesystem::path& file, bool fast);
+
+}  // namespace armature

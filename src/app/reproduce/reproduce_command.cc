@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reproduce/reproduce_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/data_folders.h"
+#include "app/printed_tables.h"
+#include "app/reproduce/all_tables.h"
+#include "app/reproduce/job_scheduler.h"
+#include "app/reproduce/matrix_tables.h"
+#include "app/reproduce/matrix_yaml.h"
+#include "app/reproduce/plan_jobs.h"
+#include "app/reproduce/read_matrix.h"
+#include "app/reproduce/reproduction_folder.h"
+#include "io/console.h"
+#include "io/errors.h"
+#include "io/interrupt.h"
+#include "io/progress.h"
+#include "io/text.h"
+#include "io/whole_file.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+Matrix MatrixOf(const ReproduceArguments& a) {
+  Matrix matrix =
+      ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config, a.fast);
+  if (!a.data.empty()) matrix.data = a.data;
+  if (a.seeds > 0) matrix.seeds = a.seeds;
+  if (!a.only.empty()) {
+    KeepOnly(a.only, matrix);
+    matrix.name += "-only";  // it is not to replace the whole
+  }
+  if (!a.name.empty()) matrix.name = a.name;
+  return matrix;
+}
+
+// All jobs of a matrix, phase after phase: what comes later is of what has succeeded before.
+class Reproduction {
+ public:
+  Reproduction(const Matrix& matrix, const ReproduceArguments& arguments, const ReproductionFolder& results)
+      : matrix_(matrix),
+        folders_{results.partial(), fs::absolute(ConfigsFolder(arguments.configs)).lexically_normal(),
+                 !arguments.configs.empty()},
+        job_folders_{results.partial(), results.folder(), fs::read_symlink("/proc/self/exe")},
+        at_once_(arguments.jobs > 0 ? arguments.jobs
+                                    : static_cast<int>(std::thread::hardware_concurrency())) {}
+
+  void Run() {
+    Do("runs and timings", PlanRuns(matrix_, folders_));
+    Do("evaluation", PlanEvaluation(matrix_, folders_, done_));
+    WriteTables();
+    Do("report", {PlanReport(matrix_, folders_, done_, {"matrix.json"})});
+  }
+
+  const std::vector<JobRecord>& done() const { return done_; }
+  const std::vector<Table>& tables() const { return tables_; }
+
+ private:
+  void Do(const std::string& phase, const std::vector<Job>& jobs) {
+    if (jobs.empty()) return;
+    Progress progress("reproduce: " + phase, static_cast<long>(jobs.size()));
+    std::vector<JobRecord> records =
+        RunJobs(jobs, job_folders_, at_once_, hashes_, [&](const JobRecord& record) {
+          if (record.status == JobStatus::kFailed)
+            Note(fmt::format("{} failed: {}", record.name, record.reason));
+          progress.Step();
+        });
+    std::move(records.begin(), records.end(), std::back_inserter(done_));
+  }
+
+  // Those of the matrix itself; the rest are the evaluation's and the benchmarks'.
+  void WriteTables() {
+    nlohmann::json eval;
+    if (const fs::path file = folders_.results / "evaluation/accuracy/eval.json"; fs::exists(file))
+      eval = nlohmann::json::parse(ReadTextFile(file));
+    const EvaluatedNumbers numbers(eval);
+    tables_ = {MatrixTable(matrix_, done_, numbers)};
+    if (auto draws = DrawsTable(matrix_, numbers)) tables_.push_back(std::move(*draws));
+    WriteWholeFile(folders_.results / "matrix.json", FormatTables(tables_, TableFormat::kJson));
+  }
+
+  const Matrix& matrix_;
+  PlanFolders folders_;
+  JobFolders job_folders_;
+  int at_once_;
+  ContentHashes hashes_;
+  std::vector<JobRecord> done_;
+  std::vector<Table> tables_;
+};
+
+bool HasFailed(const std::vector<JobRecord>& jobs) {
+  return std::any_of(jobs.begin(), jobs.end(), [](const JobRecord& job) { return !job.HasSucceeded(); });
+}
+
+// The folder's own description of itself.
+void WriteReadme(const fs::path& folder) {
+  WriteWholeFile(folder / "README.txt", "");
+  std::string text = "Results of `armature reproduce`.\n\n";
+  for (const auto& [name, meaning] : FilesOf(folder)) text += fmt::format("{:<18}{}\n", name, meaning);
+  WriteWholeFile(folder / "README.txt", text);
+}
+
+std::string WhereResultsAre(const ReproductionFolder& results, const std::vector<JobRecord>& jobs,
+                            double seconds) {
+  const auto count = [&](JobStatus status) {
+    return std::count_if(jobs.begin(), jobs.end(),
+                         [&](const JobRecord& job) { return job.status == status; });
+  };
+  std::string text = fmt::format(
+      "\n{} jobs in {:.0f} s: {} done, {} used again, {} failed, {} not run\nResults: {} (also {})\n",
+      jobs.size(), seconds, count(JobStatus::kDone), count(JobStatus::kReused), count(JobStatus::kFailed),
+      count(JobStatus::kNotRun), results.folder().string(), results.latest().string());
+  for (const auto& [name, meaning] : FilesOf(results.folder()))
+    text += fmt::format("  {:<18}{}\n", name, meaning);
+  return text;
+}
+
+}  // namespace
+
+int RunReproduce(const ReproduceArguments& arguments) {
+  const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
+  const auto start = std::chrono::steady_clock::now();
+  const Matrix matrix = MatrixOf(arguments);
+  ReproductionFolder results(arguments.out, matrix.name);
+  WriteWholeFile(results.partial() / "config.yaml", MatrixYaml(matrix));
+  Reproduction reproduction(matrix, arguments, results);
+  try {
+    reproduction.Run();
+  } catch (const Interrupted&) {
+    Note(fmt::format("what was finished is kept in {}; the same command goes on from there",
+                     results.partial().string()));
+    throw;
+  }
+  CollectPictures(results.partial(), matrix);
+  WriteAllTables(results.partial(), reproduction.tables(), reproduction.done());
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  WriteEnvironment(results.partial(), seconds, reproduction.done());
+  WriteReadme(results.partial());
+  results.Publish();
+  fmt::print("{}", FormatTables(reproduction.tables(), format));
+  if (format == TableFormat::kText) fmt::print("{}", WhereResultsAre(results, reproduction.done(), seconds));
+  return HasFailed(reproduction.done()) ? 1 : 0;
+}
+
+void AddReproduceCommand(CLI::App& app, int& exit_status) {
+  const auto arguments = std::make_shared<ReproduceArguments>();
+  ReproduceArguments& a = *arguments;
+  CLI::App* reproduce =
+      app.add_subcommand("reproduce", "Run a matrix of sequences and variants, time, evaluate and report it");
+  reproduce->add_option("--config", a.config, "the matrix (CONFIGS/reproduce.yaml, which explains its keys)")
+      ->type_name("FILE");
+  reproduce->add_flag("--fast", a.fast,
+                      "few frames, as the matrix's key `fast` says: is everything in place?");
+  reproduce
+      ->add_option("--only", a.only, "only these sequences, variants and timings; results go to NAME-only")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  reproduce
+      ->add_option("--seeds", a.seeds,
+                   "draws of each scene, for mean and spread: other objects, clutter and noise")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  reproduce->add_option("--out", a.out, "folder of all results")->type_name("DIR")->capture_default_str();
+  reproduce->add_option("--name", a.name, "of the folder in it (the matrix's)")->type_name("NAME");
+  reproduce->add_option("--data", a.data, "where scenes are rendered to, once (the matrix's)")
+      ->type_name("DIR");
+  reproduce->add_option("--jobs", a.jobs, "how many runs at once (a core each); timings are always alone")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  reproduce->add_option("--configs", a.configs, "CONFIGS: folder of presets and categories")
+      ->type_name("DIR");
+  reproduce->add_option("--format", a.format, "of the printed table: text, markdown, csv, latex or json")
+      ->capture_default_str();
+  reproduce->add_flag("--json", a.json, "the same as --format json");
+  reproduce->callback([arguments, &exit_status] { exit_status = RunReproduce(*arguments); });
+}
+
+}  // namespace armature

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature reproduce`: a whole matrix of sequences and variants, timed, evaluated and reported.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace armature {
+
+struct ReproduceArguments {
+  std::filesystem::path config;           // empty: CONFIGS/reproduce.yaml
+  std::filesystem::path out = "results";  // gets a folder of the matrix's name
+  std::string name;                       // empty: the matrix's
+  std::filesystem::path data;             // empty: the matrix's
+  std::vector<std::string> only;          // sequences, variants, timings; empty: all
+  bool fast = false;
+  int seeds = 0;                  // 0: the matrix's
+  int jobs = 0;                   // at once; 0: a core each
+  std::filesystem::path configs;  // CONFIGS
+  std::string format = "text";
+  bool json = false;
+};
+
+// Returns 1 when a job has failed; the rest is there all the same. Throws InputError, Interrupted.
+int RunReproduce(const ReproduceArguments& arguments);
+
+// Adds the sub-command; once it is parsed, its callback runs RunReproduce and stores the exit status.
+void AddReproduceCommand(CLI::App& app, int& exit_status);
+
+}  // namespace armature

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "app/reproduce/matrix_yaml.h"
+#include "app/reproduce/read_matrix.h"
+#include "support/expect_input_error.h"
+#include "support/temp_folder.h"
+
+namespace armature {
+namespace {
+
+using testing::ExpectInputError;
+using testing::TempFolder;
+
+constexpr const char* kSmall = R"(name: small
+data: generated
+scenes: [seq1, seq2]
+variants:
+  - {name: objects, about: "with objects"}
+  - {name: paper, preset: paper}
+  - {name: odometry, odometry_of: objects}
+timings:
+  - {name: stages, sequences: [seq1, seq2], tables: [comparison]}
+  - {name: instances, tables: [retrieval]}
+retrieval: [objects]
+fast: {frames: 5, timings: []}
+)";
+
+class ReproduceMatrix : public ::testing::Test {
+ protected:
+  Matrix Read(const std::string& yaml, bool fast = false) const {
+    return ReadMatrix(folder_.Write("matrix.yaml", yaml), fast);
+  }
+  // `text` in the small matrix replaced.
+  Matrix ReadWith(const std::string& text, const std::string& by) const {
+    std::string yaml = kSmall;
+    yaml.replace(yaml.find(text), text.size(), by);
+    return Read(yaml);
+  }
+  TempFolder folder_;
+};
+
+std::vector<std::string> NamesOfVariants(const Matrix& matrix) {
+  std::vector<std::string> names;
+  for (const Variant& variant : matrix.variants) names.push_back(variant.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST_F(ReproduceMatrix, TheShippedOneCanBeReadInFullAndFast) {
+  const std::string file = std::string(ARMATURE_SOURCE_DIR) + "/configs/reproduce.yaml";
+  const Matrix full = ReadMatrix(file, false), fast = ReadMatrix(file, true);
+  EXPECT_EQ(full.frames, 0);
+  EXPECT_GT(fast.frames, 0);
+  EXPECT_NE(full.name, fast.name);
+  EXPECT_NE(full.data, fast.data) << "or the pictures of one were rendered again for the other";
+  EXPECT_EQ(NamesOfVariants(full), NamesOfVariants(fast));
+}
+
+TEST_F(ReproduceMatrix, FastReplacesWhatItNames) {
+  EXPECT_EQ(Read(kSmall).timings.size(), 2u);
+  const Matrix fast = Read(kSmall, true);
+  EXPECT_EQ(fast.frames, 5);
+  EXPECT_TRUE(fast.timings.empty());
+  EXPECT_EQ(fast.scenes, (Names{"seq1", "seq2"}));
+  ExpectInputError([&] { Read("scenes: [a]\ndata: d\nvariants: [{name: x}]\n", true); }, {"fast", "--fast"});
+}
+
+TEST_F(ReproduceMatrix, TheEffectiveOneIsReadAsTheSame) {
+  Matrix matrix = Read(kSmall);
+  matrix.categories = {{.name = "chair", .padding = {0.01, 0, 0.02}, .slab_drop = 0.1}};
+  matrix.sequences = {"/my sequences/kitchen"};
+  const std::string yaml = MatrixYaml(matrix);
+  const Matrix again = Read(yaml);
+  EXPECT_EQ(MatrixYaml(again), yaml);
+  EXPECT_EQ(again.sequences, matrix.sequences);
+  EXPECT_EQ(again.categories.at(0).padding, matrix.categories.at(0).padding);
+  EXPECT_EQ(again.variants.at(2).odometry_of, "objects");
+}
+
+TEST_F(ReproduceMatrix, DrawsHaveNamesAndFoldersOfTheirOwn) {
+  Matrix matrix = Read(kSmall);
+  matrix.seeds = 2;
+  matrix.data = "/d";
+  matrix.sequences = {"/my/kitchen"};
+  const std::vector<MatrixSequence> sequences = SequencesOf(matrix);
+  ASSERT_EQ(sequences.size(), 5u);
+  EXPECT_EQ(sequences[0].folder, "/d/seq1");
+  EXPECT_EQ(sequences[3].name, "seq2-draw2");
+  EXPECT_EQ(sequences[3].family, "seq2");
+  EXPECT_EQ(sequences[3].folder, "/d/draw2/seq2-draw2");
+  EXPECT_EQ(sequences[4].folder, "/my/kitchen");
+}
+
+TEST_F(ReproduceMatrix, OnlyKeepsAllOfAKindOfWhichNothingIsNamed) {
+  Matrix matrix = Read(kSmall);
+  KeepOnly({"seq2", "stages"}, matrix);
+  EXPECT_EQ(matrix.scenes, Names{"seq2"});
+  EXPECT_EQ(matrix.variants.size(), 3u);
+  ASSERT_EQ(matrix.timings.size(), 1u);
+  EXPECT_EQ(matrix.timings[0].sequences, Names{"seq2"});
+}
+
+TEST_F(ReproduceMatrix, OnlyAVariantPlacedByOdometryKeepsItsRun) {
+  Matrix matrix = Read(kSmall);
+  KeepOnly({"odometry"}, matrix);
+  EXPECT_EQ(NamesOfVariants(matrix), (Names{"objects", "odometry"}));
+  KeepOnly({"objects"}, matrix);
+  EXPECT_EQ(NamesOfVariants(matrix), Names{"objects"});
+}
+
+TEST_F(ReproduceMatrix, OnlyAnUnknownNameIsRefused) {
+  Matrix matrix = Read(kSmall);
+  ExpectInputError([&] { KeepOnly({"seq4"}, matrix); }, {"--only", "'seq4'", "seq1"});
+}
+
+TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {
+  ExpectInputError([&] { ReadWith("scenes:", "scene:"); }, {"matrix.yaml:3", "scenes"});
+  ExpectInputError([&] { ReadWith("paper, preset", "objects, preset"); }, {"matrix.yaml", "'objects' twice"});
+  ExpectInputError([&] { ReadWith("name: paper", "name: a/b"); }, {"matrix.yaml:6", "name", "slashes"});
+  ExpectInputError([&] { ReadWith("odometry_of: objects", "odometry_of: object"); }, {"object", "objects"});
+  ExpectInputError([&] { ReadWith("retrieval: [objects]", "retrieval: [odometry]"); },
+                   {"matrix.yaml", "odometry"});
+  ExpectInputError([&] { ReadWith("[seq1, seq2], tables", "[seq9], tables"); }, {"timings", "'seq9'"});
+  ExpectInputError([&] { ReadWith("preset: paper", "config: absent.yaml"); }, {"config", "absent.yaml"});
+  ExpectInputError([&] { ReadWith("data: generated", "seeds: 0"); }, {"seeds", "1 or more"});
+  ExpectInputError([&] { ReadWith("data: generated", "frames: -1"); }, {"frames"});
+  ExpectInputError([&] { ReadWith("data: generated\n", ""); }, {"data", "folder"});
+  ExpectInputError([&] { ReadWith("scenes: [seq1, seq2]", "scenes: []"); }, {"nothing to run"});
+  ExpectInputError([&] { ReadMatrix(folder_ / "absent.yaml", false); }, {"absent.yaml"});
+}
+
+}  // namespace
+}  // namespace armature
