@@ -41,6 +41,8 @@ Matrix MatrixOf(const ReproduceArguments& a) {
     matrix.name += "-only";  // it is not to replace the whole
   }
   if (!a.name.empty()) matrix.name = a.name;
+  if (fs::path(matrix.name).filename() != matrix.name || matrix.name == "latest")
+    throw InputError(fmt::format("--name {}: has to be the plain name of a folder, and not 'latest'", matrix.name));
   return matrix;
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `armature reproduce` from end to end, on the small scene.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/small_scene.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::ExpectBadInput;
+using testing::GenerateSmallScene;
+using testing::ProgramResult;
+using testing::ReadFile;
+using testing::RunProgram;
+using testing::TempFolder;
+
+constexpr const char* kDenMatrix = R"(name: den
+sequences: [out/den]
+variants:
+  - {name: objects, about: all objects}
+  - {name: odometry, about: odometry, odometry_of: objects}
+  - {name: broken, about: a detector that is not there, config: broken.yaml}
+)";
+
+// The small scene and a matrix of it.
+class ReproduceSmallScene : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    GenerateSmallScene(folder_, 3);
+    folder_.Write("broken.yaml", "association: {detector: sonar}\n");
+    config_ = folder_.Write("den.yaml", kDenMatrix);
+  }
+  ProgramResult Reproduce(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"reproduce", "--config", config_, "--out", folder_ / "results"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  }
+  std::string InResults(const std::string& file) const { return ReadFile(folder_ / "results/latest" / file); }
+
+  TempFolder folder_;
+  std::string config_;
+};
+
+TEST_F(ReproduceSmallScene, LeavesResultsATableAndAReportAndTellsWhatFailed) {
+  const ProgramResult result = Reproduce();
+  EXPECT_EQ(result.status, 1) << "a variant failed";
+  EXPECT_NE(result.err.find("runs/broken/den failed"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("failed: "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("report.html"), std::string::npos) << result.out;
+  for (const char* file :
+       {"report.html", "README.txt", "tables.md", "tables.tex", "runs/objects/den/objects.csv",
+        "evaluation/accuracy/detections.csv", "jobs/runs/broken/den.log"})
+    EXPECT_FALSE(InResults(file).empty()) << file;
+  EXPECT_FALSE(fs::exists(folder_ / "results/den.partial"));
+  const json environment = json::parse(InResults("environment.json"));
+  EXPECT_EQ(environment["jobs"]["failed"], 1);
+  EXPECT_EQ(environment["complete"], true);
+  const json tables = json::parse(InResults("tables.json"));
+  ASSERT_EQ(tables[0]["rows"].size(), 3u);
+  EXPECT_EQ(tables[0]["rows"][0]["outcome"], "done");
+  EXPECT_NE(std::string(tables[0]["rows"][2]["outcome"]).find("sonar"), std::string::npos);
+  EXPECT_NE(InResults("report.html").find("sonar"), std::string::npos) << "the reason is in the report, too";
+}
+
+TEST_F(ReproduceSmallScene, MakesNothingTwice) {
+  Reproduce({"--only", "objects"});
+  EXPECT_TRUE(fs::exists(folder_ / "results/den-only")) << "not in the place of the whole";
+  const std::string before = InResults("runs/objects/den/timings.csv");
+  const ProgramResult again = Reproduce({"--only", "objects", "--json"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(InResults("runs/objects/den/timings.csv"), before);
+  EXPECT_EQ(json::parse(InResults("environment.json"))["jobs"], (json{{"reused", 3}}));
+  EXPECT_EQ(json::parse(again.out)[0]["table"], "matrix");
+}
+
+TEST_F(ReproduceSmallScene, BadInputIsOneLineAndHarmsNothing) {
+  const std::vector<std::string> call{"reproduce", "--config", config_, "--out", folder_ / "results"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), call.begin(), call.end());
+    return more;
+  };
+  ExpectBadInput(with({"--only", "den2"}), {"'den2'", "den"});
+  ExpectBadInput(with({"--fast"}), {"fast", "--fast"});
+  ExpectBadInput(with({"--name", "a/b"}), {"--name", "a/b"});
+  folder_.Write("results/den/mine.txt", "mine");
+  ExpectBadInput(call, {"results/den", "not made by"});
+  EXPECT_EQ(ReadFile(folder_ / "results/den/mine.txt"), "mine");
+}
+
+}  // namespace
+}  // namespace armature
