@@ -110,7 +110,7 @@ Json AblationJson(const AblationBars& ablation) {
 }
 
 Json LayerJson(const MapLayer& layer) {
-  const auto object = [](const MapObject& o) {
+  const auto object = [](const auto& o) {
     return Json{{"id", o.id},
                 {"category", o.category},
                 {"footprint", PointsJson(o.footprint)},
