@@ -8,7 +8,8 @@ packages=(
   libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libfmt-dev libspdlog-dev libembree-dev libflann-dev liblz4-dev
   libpcl-dev
-  libgtest-dev gnuplot-nox clang-format clang-tidy
+  node-d3 libjs-three
+  libgtest-dev chromium gnuplot-nox clang-format clang-tidy
 )
 
 missing=()

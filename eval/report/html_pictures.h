@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of a report as HTML.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/report/report_data.h"
+
+namespace armature {
+
+// Frames side by side, as many as fit.
+std::string OverlaysHtml(const std::vector<OverlayFrame>& frames);
+
+// A row an object: as it was seen, then its models, the true one marked.
+std::string StripsHtml(const std::vector<RetrievalStrip>& strips);
+
+}  // namespace armature
