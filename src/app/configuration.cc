@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "app/data_folders.h"
 #include "io/category_yaml.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
@@ -15,12 +15,6 @@ namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path ConfigsFolder(const ConfigurationArguments& arguments) {
-  if (!arguments.configs.empty()) return arguments.configs;
-  if (const char* folder = std::getenv("ARMATURE_CONFIGS"); folder != nullptr) return folder;
-  return ARMATURE_CONFIGS_FOLDER;
-}
 
 std::vector<std::string> PresetNames(const fs::path& folder) {
   std::vector<std::string> names;
@@ -33,7 +27,7 @@ std::vector<std::string> PresetNames(const fs::path& folder) {
 }
 
 fs::path PresetFile(const ConfigurationArguments& arguments) {
-  const fs::path folder = ConfigsFolder(arguments) / "presets";
+  const fs::path folder = ConfigsFolder(arguments.configs) / "presets";
   const std::vector<std::string> names = PresetNames(folder);
   if (names.empty()) {
     throw InputError(
@@ -84,7 +78,7 @@ Options LoadOptions(const ConfigurationArguments& arguments) {
 
 std::map<std::string, Options> LoadPresets(const ConfigurationArguments& arguments) {
   std::map<std::string, Options> presets;
-  const fs::path folder = ConfigsFolder(arguments) / "presets";
+  const fs::path folder = ConfigsFolder(arguments.configs) / "presets";
   for (const std::string& name : PresetNames(folder)) {
     const std::vector<OptionEntry> table = OptionTable(presets[name]);
     ApplyYaml(folder / (name + ".yaml"), table);
@@ -94,7 +88,7 @@ std::map<std::string, Options> LoadPresets(const ConfigurationArguments& argumen
 }
 
 std::vector<CategoryModel> LoadModels(const ConfigurationArguments& arguments) {
-  return LoadCategories(arguments.categories.empty() ? ConfigsFolder(arguments) / "categories"
+  return LoadCategories(arguments.categories.empty() ? ConfigsFolder(arguments.configs) / "categories"
                                                      : arguments.categories);
 }
 

@@ -19,7 +19,7 @@ struct ConfigurationArguments {
   std::filesystem::path config;       // a file of one's own; empty: none
   std::vector<std::string> settings;  // "key=value"
   std::filesystem::path categories;   // folder of category models; empty: CONFIGS/categories
-  std::filesystem::path configs;      // CONFIGS; empty: the environment's ARMATURE_CONFIGS, or the source's
+  std::filesystem::path configs;      // CONFIGS; empty: see app/data_folders.h
 };
 
 // Adds --preset, --config, --set, --categories and --configs, and all options to the end of the help.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "app/data_folders.h"
 #include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/normal_term_table.h"
@@ -74,7 +75,7 @@ std::vector<EvaluatedSequence> EvaluateSequences(const std::vector<RunToEvaluate
 
 // Without the source's file there are only our own rows.
 std::vector<PaperObjectErrors> PaperNumbers(const fs::path& named) {
-  const fs::path file = named.empty() ? fs::path(ARMATURE_RESULTS_FOLDER) / "paper_object_errors.csv" : named;
+  const fs::path file = named.empty() ? ResultsFolder() / "paper_object_errors.csv" : named;
   if (named.empty() && !fs::exists(file)) return {};
   return ReadPaperObjectErrors(file);
 }

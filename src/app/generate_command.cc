@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/data_folders.h"
 #include "datasets/contact_sheet.h"
 #include "datasets/scene/scene_yaml.h"
 #include "io/errors.h"
@@ -21,11 +22,11 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kDefaultScenes = {"seq1", "seq2", "seq3"};
 
-// By name; none where the program has been parted from its sources.
+// By name; none where the program has been parted from its data.
 std::vector<std::string> ShippedScenes() {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(ARMATURE_SCENES_FOLDER, ignored)) {
+  for (const auto& entry : fs::directory_iterator(ScenesFolder(), ignored)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -42,7 +43,7 @@ std::vector<fs::path> ScenesToMake(const GenerateArguments& arguments) {
   for (const std::string& name : arguments.only.empty() ? kDefaultScenes : arguments.only) {
     if (std::find(shipped.begin(), shipped.end(), name) == shipped.end())
       throw InputError("generate: --only: " + UnknownNameMessage("scene", name, shipped));
-    files.push_back(fs::path(ARMATURE_SCENES_FOLDER) / (name + ".yaml"));
+    files.push_back(ScenesFolder() / (name + ".yaml"));
   }
   return files;
 }

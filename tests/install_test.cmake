@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs BUILD, moves the prefix elsewhere, runs the program from another folder with the data beside it, and
+# builds tests/find_package against it with the compiler CXX.
+cmake_minimum_required(VERSION 3.25)
+
+# What the command prints, on either stream; ends the test when it fails or does not match the expression.
+function(expect expression)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${elsewhere} RESULT_VARIABLE status OUTPUT_VARIABLE output
+                  ERROR_VARIABLE output)
+  if(NOT status EQUAL 0 OR NOT output MATCHES "${expression}")
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nstatus ${status}, expected '${expression}' in:\n${output}")
+  endif()
+endfunction()
+
+# One dark image and no detections.
+function(write_tiny_sequence folder)
+  string(REPEAT "7 " 3072 pixels)
+  file(WRITE ${folder}/frame.pgm "P2\n64 48\n255\n${pixels}\n")
+  file(WRITE ${folder}/rgb.txt "0.0 frame.pgm\n")
+  file(WRITE ${folder}/detections.csv
+       "timestamp,category,x,y,width,height,score,azimuth_deg,elevation_deg,tilt_deg\n")
+  file(WRITE ${folder}/odometry.txt "0.0 0 0 0 0 0 0 1\n")
+  file(WRITE ${folder}/sequence.yaml "name: tiny\nfps: 10\ncamera: {model: pinhole, width: 64, height: 48, fx: 50,"
+       " fy: 50, cx: 31.5, cy: 23.5, distortion: [0, 0, 0, 0, 0]}\n")
+endfunction()
+
+set(folder ${BUILD}/tests/install_test)
+set(prefix ${folder}/moved)
+set(elsewhere ${folder}/elsewhere)
+set(data ${prefix}/share/armature)
+file(REMOVE_RECURSE ${folder})
+file(MAKE_DIRECTORY ${elsewhere})
+
+expect("bin/armature" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/prefix)
+file(RENAME ${folder}/prefix ${prefix})
+foreach(file datasets/scenes/seq1.yaml results/paper_object_errors.csv)
+  if(NOT EXISTS ${data}/${file})
+    message(FATAL_ERROR "${data}/${file} is not installed")
+  endif()
+endforeach()
+
+expect("armature 0" ${prefix}/bin/armature --version)
+write_tiny_sequence(${folder}/tiny)
+# A preset that the source tree does not have tells whose data the program takes.
+file(COPY_FILE ${data}/configs/presets/fast.yaml ${data}/configs/presets/installed.yaml)
+expect("Results:" ${prefix}/bin/armature run ${folder}/tiny --preset installed --out ${elsewhere}/run)
+
+expect("Generating done" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/find_package -B ${folder}/build
+       -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX})
+expect("Built target" ${CMAKE_COMMAND} --build ${folder}/build)
+expect("^chair: 11 edges, the longest [0-9]+ pixels" ${folder}/build/wireframe ${data}/configs/categories/chair.yaml)
+file(REMOVE_RECURSE ${folder})
