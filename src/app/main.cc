@@ -17,6 +17,7 @@
 #include "app/learn_command.h"
 #include "app/photo_command.h"
 #include "app/posegraph_command.h"
+#include "app/report_command.h"
 #include "app/retrieve_command.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
@@ -76,6 +77,7 @@ int Main(int argc, char** argv) {
   AddBenchCommand(app, exit_status);
   AddLearnCommand(app, exit_status);
   AddRetrieveCommand(app, exit_status);
+  AddReportCommand(app, exit_status);
   AddGenerateCommand(app, exit_status);
   AddPoseGraphCommand(app, exit_status);
   try {
