@@ -52,13 +52,14 @@ std::optional<HeadlineFigure> RatioFigure(const BenchResults& bench, const std::
   for (const Table* table : TablesNamed(bench.tables, "comparison")) {
     if (table->sequence != sequence) continue;
     const auto row = FindRow(*table, [&](const TableRow& r) { return r.Text("engine") == baseline; });
-    if (!row || !row->Number(column)) continue;
+    const auto ratio = row ? row->Number(column) : std::nullopt;
+    if (!ratio) continue;
     const double n = static_cast<double>(bench.objects);
     const double paper_ratio = paper::KeypointsMs(n) / paper::LinesMs(n);
     return HeadlineFigure{"Keypoint network over lines",
-                          row->Text(column),
+                          Fixed(*ratio, 2),
                           Fixed(paper_ratio, 2),
-                          row->Number(column),
+                          ratio,
                           paper_ratio,
                           fmt::format("both on the same frames of {} on one machine", sequence)};
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <set>
 
 #include "eval/report/ablation_bars.h"
 #include "eval/report/bench_results.h"
@@ -76,6 +77,12 @@ void AddSequence(const SequenceRuns& sequence, const ReportSources& sources, Rep
     data.scenes.push_back(std::move(*scene));
 }
 
+// Each once, in their order.
+void RemoveRepeated(std::vector<std::string>& texts) {
+  std::set<std::string> seen;
+  std::erase_if(texts, [&](const std::string& text) { return !seen.insert(text).second; });
+}
+
 }  // namespace
 
 ReportData CollectReport(const ReportSources& sources) {
@@ -88,8 +95,9 @@ ReportData CollectReport(const ReportSources& sources) {
   AddAll(RetrievalFigures(sources.tables), data.headline);
   for (const SequenceRuns& sequence : LoadSequenceRuns(sources, data.remarks))
     AddSequence(sequence, sources, data);
-  if (data.strips.size() > 0 && sources.library.categories.empty())
+  if (!data.strips.empty() && sources.library.categories.empty())
     data.remarks.push_back("Retrieved CAD models are not drawn: no library is given; name it with --library");
+  RemoveRepeated(data.remarks);
   return data;
 }
 

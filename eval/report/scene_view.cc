@@ -92,27 +92,38 @@ struct SceneParts {
   std::vector<PlacedObject> own;  // the map in the run's own world
 };
 
-// The nearest model at its fit, else at the object's pose.
-TriangleMesh CadOf(const SceneParts& parts, size_t object, std::vector<std::string>& remarks) {
+// In the shown world: at its fit, else at the object's pose. Without triangles: it has no surface, or too
+// many.
+TriangleMesh PlacedSurface(const SceneParts& parts, size_t object, const RetrievedModel& model,
+                           std::vector<std::string>& remarks) {
   const PlacedObject& shown = parts.sequence.runs.front().map->objects[object];
-  const auto found = parts.retrieved.find(shown.id);
-  if (found == parts.retrieved.end()) return {};
-  const RetrievedModel& nearest = found->second.front();
-  try {
-    const auto surface = SurfaceOfModel(parts.library, shown.category, nearest.name);
-    if (!surface) return {};
-    if (surface->size() > kMostTriangles) {
-      remarks.push_back(fmt::format("{}: {} has {} triangles and is left out of the 3D view",
-                                    parts.sequence.name, nearest.name, surface->size()));
-      return {};
-    }
-    Eigen::Affine3d T_world_model = shown.T_world_object;
-    if (nearest.T_world_object)
-      T_world_model = FitInShownWorld(nearest, parts.own[object], shown) * Eigen::Scaling(nearest.scale);
-    return Moved(T_world_model, *surface);
-  } catch (const InputError& error) {
-    remarks.push_back(fmt::format("{}: a model is left out: {}", parts.sequence.name, error.what()));
+  const auto surface = SurfaceOfModel(parts.library, shown.category, model.name);
+  if (!surface) return {};
+  if (surface->size() > kMostTriangles) {
+    remarks.push_back(fmt::format("{}: {} has {} triangles and is left out of the 3D view",
+                                  parts.sequence.name, model.name, surface->size()));
     return {};
+  }
+  Eigen::Affine3d T_world_model = shown.T_world_object;
+  if (model.T_world_object)
+    T_world_model = FitInShownWorld(model, parts.own[object], shown) * Eigen::Scaling(model.scale);
+  return Moved(T_world_model, *surface);
+}
+
+// The nearest of the retrieved models that can be placed, as `armature retrieve --place` does.
+void PlaceNearest(const SceneParts& parts, size_t number, SceneView::Object& object,
+                  std::vector<std::string>& remarks) {
+  const auto found = parts.retrieved.find(object.id);
+  if (found == parts.retrieved.end()) return;
+  for (const RetrievedModel& model : found->second) {
+    try {
+      object.cad = PlacedSurface(parts, number, model, remarks);
+    } catch (const InputError& error) {
+      remarks.push_back(fmt::format("{}: a model is left out: {}", parts.sequence.name, error.what()));
+    }
+    if (object.cad.size() == 0) continue;
+    object.model = model.name;
+    return;
   }
 }
 
@@ -149,12 +160,12 @@ std::optional<SceneView> SceneViewOf(const SequenceRuns& sequence, const std::ve
   for (size_t i = 0; i < run.map->objects.size(); ++i) {
     const PlacedObject& object = run.map->objects[i];
     const CategoryModel* model = FindCategory(models, object.category);  // there is one: LoadSequenceRuns
-    scene.objects.push_back({object.id,
-                             object.category,
-                             object.instance,
-                             WireframeOf(object, *model),
-                             {},
-                             CadOf(parts, i, remarks)});
+    SceneView::Object& shown = scene.objects.emplace_back();
+    shown.id = object.id;
+    shown.category = object.category;
+    shown.model = object.instance;
+    shown.wireframe = WireframeOf(object, *model);
+    PlaceNearest(parts, i, shown, remarks);
   }
   if (sequence.truth) {
     scene.true_path = PathOf(sequence.truth->truth.T_world_camera);
