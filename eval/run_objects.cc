@@ -25,12 +25,6 @@ Similarity AlignmentOf(const fs::path& trajectory, const SequenceTruth& sequence
   return Align(pairs, options.alignment, options.first_n);
 }
 
-std::string ApproachName(bool by_odometry, const RunConfiguration& configuration) {
-  if (by_odometry) return "odometry only";
-  if (!configuration.loop_closure) return "objects";
-  return *configuration.loop_closure ? "objects, loop closure" : "objects, no loop closure";
-}
-
 EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
                          const std::vector<CategorySpec>& specs, const ObjectEvaluationOptions& options,
                          bool by_odometry) {
@@ -39,10 +33,9 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
   evaluated.by_odometry = by_odometry;
   std::vector<PlacedObject> map =
       ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
-  if (!map.empty()) {  // a run that placed nothing may have had no odometry
-    evaluated.T_truth_run =
-        AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
-  }
+  const fs::path trajectory = run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt");
+  if (!map.empty() || fs::exists(trajectory))  // a run that placed nothing may have had no odometry
+    evaluated.T_truth_run = AlignmentOf(trajectory, sequence, options);
   map = Moved(std::move(map), evaluated.T_truth_run);
   evaluated.by_distance =
       EvaluateObjects(map, truth, specs, MatchByDistance(map, truth.objects, options.gate_m));
@@ -53,6 +46,12 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
 }
 
 }  // namespace
+
+std::string ApproachName(bool by_odometry, const RunConfiguration& configuration) {
+  if (by_odometry) return "odometry only";
+  if (!configuration.loop_closure) return "objects";
+  return *configuration.loop_closure ? "objects, loop closure" : "objects, no loop closure";
+}
 
 RunObjects EvaluateRunObjects(const RunResults& run, const SequenceTruth& sequence,
                               const std::vector<CategorySpec>& specs,

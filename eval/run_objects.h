@@ -34,6 +34,9 @@ struct RunObjects {
   std::vector<EvaluatedMap> maps;  // odometry's first; empty: the run has no objects.csv
 };
 
+// See EvaluatedMap.
+std::string ApproachName(bool by_odometry, const RunConfiguration& configuration);
+
 // objects.csv with trajectory.txt, and objects_odometry.csv with odometry_scaled.txt where it is there.
 // Stamps of cameras match within kStampTolerance. Throws InputError: a malformed or missing file, no camera
 // at a time of the truth, a true object's category without specification.

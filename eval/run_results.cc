@@ -50,6 +50,8 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
     RunObservation observation{
         row.Number("timestamp"), row.Integer("index"), row.Text("status"), ReadPoseIfAny(row), {}, ""};
     if (table.HasColumn("object")) observation.object = row.Text("object");
+    if (table.HasColumn("shape"))
+      observation.shape = ParseNumbers(row.Text("shape"), row.At("column 'shape'"));
     const Key key = KeyOf(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));

@@ -112,6 +112,39 @@ TEST_F(RetrieveSmallScene, SaysWhatIsMissing) {
   ExpectBadInput({"retrieve", run_, "--library", library_}, {"--sequence", "retrieval.rerank=false"});
 }
 
+TEST_F(RetrieveSmallScene, IsShownInAReport) {
+  Retrieve();
+  const std::string page = folder_ / "page/report.html";
+  const std::vector<std::string> report{"report", run_, "--out", page};
+  EXPECT_NE(
+      RunOk({"report", run_, "--out", page, "--library", library_, "--title", "My <den>"}).out.find(page),
+      std::string::npos);
+  const std::string html = ReadFile(page);
+  EXPECT_NE(html.find("My &lt;den&gt;"), std::string::npos);
+  EXPECT_NE(html.find("Localization error on den"), std::string::npos) << "evaluated by the command";
+  for (const std::string& instance : InstancesOf("table0"))
+    EXPECT_NE(html.find(instance), std::string::npos) << instance;
+  // An overlay each image and, of both objects, the crop and five models.
+  size_t pictures = 0;
+  for (size_t at = html.find("data:image/jpeg;base64,"); at != std::string::npos;
+       at = html.find("data:image/jpeg;base64,", at + 1))
+    ++pictures;
+  EXPECT_GE(pictures, 4u + 2 * 6);
+  RunOk({"report", run_, "--out", page, "--library", library_, "--title", "My <den>"});
+  EXPECT_EQ(ReadFile(page), html);
+
+  // What is not there is left out, and said.
+  std::filesystem::remove_all(folder_ / "out/den");
+  const ProgramResult bare = RunOk(report);
+  EXPECT_NE(bare.err.find("no ground truth"), std::string::npos) << bare.err;
+  EXPECT_NE(bare.err.find("--library"), std::string::npos) << bare.err;
+
+  ExpectBadInput({"report", run_, "--out", page, "--eval", folder_ / "cad"}, {"eval.json", "armature eval"});
+  folder_.Write("t.json", "[1");
+  ExpectBadInput({"report", run_, "--out", page, "--table", folder_ / "t.json"}, {"t.json", "is not JSON"});
+  ExpectBadInput({"report", run_, "--out", page, "--bench", folder_ / "cad"}, {"bench.json"});
+}
+
 TEST_F(RetrieveSmallScene, ARunOfOtherModelsIsRefused) {
   const std::string specs = std::string(ARMATURE_SOURCE_DIR) + "/configs/categories/specs/";
   for (const std::string category : {"table", "laptop"}) {

@@ -26,30 +26,6 @@ struct Sample {
   RayHit body, path, wireframe;
 };
 
-// One pixel: its light is looked for once a surface, for it costs the most.
-class PixelLight {
- public:
-  PixelLight(const MapShading& shading, std::uint32_t hash) : shading_(shading), hash_(hash) {}
-
-  double At(const RayHit& hit, const Vector3d& point, const Vector3d& direction) {
-    for (const Known& known : known_) {
-      if (known.mesh == hit.mesh && known.quad == hit.quad) return known.light;
-    }
-    const Vector3d normal = FacingNormal(shading_.rays(), hit, direction);
-    return known_.emplace_back(Known{hit.mesh, hit.quad, shading_.LightAt(point, normal, hash_)}).light;
-  }
-
- private:
-  struct Known {
-    int mesh, quad;
-    double light;
-  };
-
-  const MapShading& shading_;
-  std::uint32_t hash_;
-  std::vector<Known> known_;
-};
-
 class MapPainter {
  public:
   MapPainter(const MapScene& scene, const MapPictureOptions& options)

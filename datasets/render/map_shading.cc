@@ -87,4 +87,12 @@ double MapShading::LightAt(const Vector3d& point, const Vector3d& normal, std::u
   return kLamp * slant * lit + kSky * (kHiddenSky + (1 - kHiddenSky) * open);
 }
 
+double PixelLight::At(const RayHit& hit, const Vector3d& point, const Vector3d& direction) {
+  for (const Known& known : known_) {
+    if (known.mesh == hit.mesh && known.quad == hit.quad) return known.light;
+  }
+  const Vector3d normal = FacingNormal(shading_.rays(), hit, direction);
+  return known_.emplace_back(Known{hit.mesh, hit.quad, shading_.LightAt(point, normal, hash_)}).light;
+}
+
 }  // namespace armature

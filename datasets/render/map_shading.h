@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <vector>
 
 #include "datasets/render/map_models.h"
 
@@ -28,6 +29,26 @@ class MapShading {
   MapGround ground_;
   Eigen::Vector3d to_lamp_world_;
   std::vector<Eigen::Vector2d> places_;  // of the rays to lamp and sky, in the unit square
+};
+
+// One pixel: its light is looked for once a surface, for it costs the most.
+class PixelLight {
+ public:
+  // Keeps a reference. `hash`: another one for each pixel.
+  PixelLight(const MapShading& shading, std::uint32_t hash) : shading_(shading), hash_(hash) {}
+
+  // Of the surface that a ray along the direction meets at the point; see MapShading::LightAt.
+  double At(const RayHit& hit, const Eigen::Vector3d& point, const Eigen::Vector3d& direction);
+
+ private:
+  struct Known {
+    int mesh, quad;
+    double light;
+  };
+
+  const MapShading& shading_;
+  std::uint32_t hash_;
+  std::vector<Known> known_;
 };
 
 // Linear, of the material that a ray meets.

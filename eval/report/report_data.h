@@ -59,19 +59,18 @@ struct TimeCurves {
   std::vector<Curve> curves;
 };
 
-// An object seen from above.
-struct MapObject {
-  std::string id, category;
-  std::array<Eigen::Vector2d, 4> footprint;  // of its box, in order around
-  Eigen::Vector2d front{0, 0};               // unit: where its front (+z) points
-  std::optional<double> error_m;             // distance of the centre from the true one; none: no true object
-};
-
-// What lies in one map, true or estimated. x to the right, y up on the page; the gravity axis is left out.
+// What lies in one map, true or estimated, seen from above. x to the right, y up on the page; the gravity
+// axis is left out.
 struct MapLayer {
   std::string name;                         // "truth", "odometry only", "default: objects, loop closure"
   std::vector<Eigen::Vector2d> trajectory;  // in order of time
-  std::vector<MapObject> objects;
+  struct Object {
+    std::string id, category;
+    std::array<Eigen::Vector2d, 4> footprint;  // of its box, in order around
+    Eigen::Vector2d front{0, 0};               // unit: where its front (+z) points
+    std::optional<double> error_m;  // distance of the centre from the true one; none: no true object
+  };
+  std::vector<Object> objects;
 };
 
 struct TopDownMap {

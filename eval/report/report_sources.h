@@ -9,6 +9,7 @@
 #include "category/category_model.h"
 #include "eval/report/report_data.h"
 #include "io/text_table.h"
+#include "retrieval/instance_library.h"
 
 namespace armature {
 
@@ -22,8 +23,9 @@ struct ReportSources {
   };
   std::vector<Run> runs;
   std::vector<Table> tables;                   // of an evaluation of these runs; by Table::name
+  std::vector<Table> overview;                 // others, shown first
   std::vector<std::filesystem::path> benches;  // folders of `armature bench --out`
-  std::filesystem::path cad_root;              // where the surfaces of retrieved models are; empty: none
+  InstanceLibrary library;                     // the surfaces of retrieved models; of no category: none
   std::vector<CategoryModel> models;
 };
 

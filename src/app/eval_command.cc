@@ -91,16 +91,9 @@ std::vector<Table> RetrievalTables(const EvalArguments& arguments, const std::ve
                                arguments.retrieval);
 }
 
-std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat format) {
+std::vector<Table> TablesOfFolders(const EvalArguments& arguments, TableFormat format) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
-  std::vector<Table> tables;
-  const auto add = [&](std::vector<Table> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(tables));
-  };
-  add(ObservationTables(arguments, runs));
-  add(TrajectoryTables(arguments, runs, format));
-  add(ObjectTables(arguments, runs));
-  add(RetrievalTables(arguments, runs));
+  std::vector<Table> tables = TablesOfRuns(arguments, runs, format);
   if (!tables.empty() || IsAsked(kLibraryTableName, arguments)) return tables;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "
@@ -139,7 +132,7 @@ std::vector<Table> TablesWithoutRuns(const EvalArguments& arguments) {
 std::vector<Table> TablesOf(const EvalArguments& arguments, TableFormat format) {
   if (arguments.runs.empty()) return TablesWithoutRuns(arguments);
   if (AreTrajectoryFiles(arguments.runs)) return TablesOfFiles(arguments, format);
-  std::vector<Table> tables = TablesOfRuns(arguments, format);
+  std::vector<Table> tables = TablesOfFolders(arguments, format);
   if (IsAsked(kLibraryTableName, arguments))
     tables.push_back(TableOfLibrary(LoadModels(arguments.configuration), arguments.retrieval));
   return tables;
@@ -158,6 +151,19 @@ void KeepRawRows(const fs::path& folder, EvalArguments& a) {
 }
 
 }  // namespace
+
+std::vector<Table> TablesOfRuns(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
+                                TableFormat format) {
+  std::vector<Table> tables;
+  const auto add = [&](std::vector<Table> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(tables));
+  };
+  add(ObservationTables(arguments, runs));
+  add(TrajectoryTables(arguments, runs, format));
+  add(ObjectTables(arguments, runs));
+  add(RetrievalTables(arguments, runs));
+  return tables;
+}
 
 int RunEval(EvalArguments arguments) {
   const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);

@@ -17,6 +17,7 @@
 #include "app/photo_command.h"
 #include "app/posegraph_command.h"
 #include "app/reproduce/reproduce_command.h"
+#include "app/report_command.h"
 #include "app/retrieve_command.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
@@ -84,6 +85,7 @@ int Main(int argc, char** argv) {
   AddReproduceCommand(app, exit_status);
   AddLearnCommand(app, exit_status);
   AddRetrieveCommand(app, exit_status);
+  AddReportCommand(app, exit_status);
   AddGenerateCommand(app, exit_status);
   AddPoseGraphCommand(app, exit_status);
   try {

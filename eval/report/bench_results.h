@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `armature bench --out` has left, as a report shows it.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/named_span.h"
+#include "eval/report/report_data.h"
+
+namespace armature {
+
+struct BenchResults {
+  std::vector<Table> tables;     // their names are those of their sections: "comparison", "objects", ...
+  std::vector<NamedSpan> spans;  // milliseconds
+  std::vector<TimeCurves> curves;
+  size_t objects = 3;  // of the compared frames
+  std::vector<std::pair<std::string, std::string>> environment;
+};
+
+// bench.json of the folder. Throws InputError: missing, unfinished or malformed.
+BenchResults ReadBenchResults(const std::filesystem::path& folder);
+
+// The median stages of the comparison's engines, an entry a sequence.
+std::vector<StageBars> StageBarsOf(const BenchResults& bench);
+
+}  // namespace armature

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/report/report_sources.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <set>
+
+#include "eval/report/ablation_bars.h"
+#include "eval/report/bench_results.h"
+#include "eval/report/headline.h"
+#include "eval/report/overlay_frames.h"
+#include "eval/report/retrieval_strips.h"
+#include "eval/report/run_environment.h"
+#include "eval/report/scene_view.h"
+#include "eval/report/sequence_runs.h"
+#include "eval/report/top_down_map.h"
+
+namespace armature {
+namespace {
+
+template <typename T>
+void AddAll(std::vector<T> more, std::vector<T>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+// Of a table of `armature eval`, by its name.
+ReportSection SectionOf(const std::string& table) {
+  if (table == "normal") return ReportSection::kAblation;
+  for (const char* name : {"retrieval", "retrieval_variants", "each_query", "library"}) {
+    if (table == name) return ReportSection::kRetrieval;
+  }
+  for (const char* name :
+       {"paper", "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
+    if (table == name) return ReportSection::kAccuracy;
+  }
+  return ReportSection::kOther;
+}
+
+void AddTables(const ReportSources& sources, ReportData& data) {
+  for (const Table& table : sources.overview) data.tables.push_back({ReportSection::kOverview, table});
+  for (const Table& table : sources.tables) data.tables.push_back({SectionOf(table.name), table});
+  AddAll(LocalizationFigures(sources.tables), data.headline);
+  data.ablations = NormalTermBars(sources.tables);
+}
+
+// The headline is of the first benchmark that has one.
+void AddBenches(const ReportSources& sources, ReportData& data) {
+  bool has_headline = false;
+  for (const std::filesystem::path& folder : sources.benches) {
+    BenchResults bench = ReadBenchResults(folder);
+    for (const Table& table : bench.tables) data.tables.push_back({ReportSection::kTiming, table});
+    AddAll(StageBarsOf(bench), data.stages);
+    AddAll(std::move(bench.curves), data.curves);
+    MergeEnvironment(bench.environment, data.environment);
+    if (has_headline) continue;
+    std::vector<HeadlineFigure> figures = TimingFigures(bench);
+    has_headline = !figures.empty();
+    AddAll(std::move(figures), data.headline);
+  }
+}
+
+void AddSequence(const SequenceRuns& sequence, const ReportSources& sources, ReportData& data) {
+  if (auto map = TopDownMapOf(sequence)) {
+    data.maps.push_back(std::move(*map));
+  } else {
+    data.remarks.push_back(fmt::format("{}: no run has a map", sequence.name));
+  }
+  AddAll(OverlayFramesOf(sequence, sources.models, data.remarks), data.overlays);
+  std::vector<RetrievalStrip> strips = RetrievalStripsOf(sequence, sources.library, data.remarks);
+  if (strips.empty() && sequence.runs.front().map)
+    data.remarks.push_back(
+        fmt::format("{}: no CAD models were retrieved for the run '{}'; see `armature retrieve`",
+                    sequence.name, sequence.runs.front().name));
+  AddAll(std::move(strips), data.strips);
+  if (auto scene = SceneViewOf(sequence, sources.models, sources.library, data.remarks))
+    data.scenes.push_back(std::move(*scene));
+}
+
+// Each once, in their order.
+void RemoveRepeated(std::vector<std::string>& texts) {
+  std::set<std::string> seen;
+  std::erase_if(texts, [&](const std::string& text) { return !seen.insert(text).second; });
+}
+
+}  // namespace
+
+ReportData CollectReport(const ReportSources& sources) {
+  ReportData data;
+  data.title = sources.title;
+  AddTables(sources, data);
+  for (const ReportSources::Run& run : sources.runs)
+    MergeEnvironment(RunEnvironment(run.folder), data.environment);
+  AddBenches(sources, data);
+  AddAll(RetrievalFigures(sources.tables), data.headline);
+  for (const SequenceRuns& sequence : LoadSequenceRuns(sources, data.remarks))
+    AddSequence(sequence, sources, data);
+  if (!data.strips.empty() && sources.library.categories.empty())
+    data.remarks.push_back("Retrieved CAD models are not drawn: no library is given; name it with --library");
+  RemoveRepeated(data.remarks);
+  return data;
+}
+
+}  // namespace armature
