@@ -115,6 +115,21 @@ TEST_F(ReproduceMatrix, OnlyAnUnknownNameIsRefused) {
   ExpectInputError([&] { KeepOnly({"seq4"}, matrix); }, {"--only", "'seq4'", "seq1"});
 }
 
+TEST_F(ReproduceMatrix, SequencesOfOnesOwnTakeThePlaceOfAll) {
+  folder_.Write("mine/kitchen/sequence.yaml", "name: kitchen\n");
+  folder_.Write("other/kitchen/sequence.yaml", "name: kitchen\n");
+  Matrix matrix = Read(kSmall);
+  ReplaceSequences({folder_ / "mine/kitchen/"}, matrix);
+  ASSERT_EQ(SequencesOf(matrix).size(), 1u);
+  EXPECT_EQ(SequencesOf(matrix)[0].folder, folder_.path() / "mine/kitchen");
+  EXPECT_EQ(matrix.timings[0].sequences, Names{"kitchen"});
+  EXPECT_TRUE(matrix.timings[1].sequences.empty()) << "it needs none";
+  EXPECT_TRUE(matrix.retrieval.empty()) << "there are no CAD models";
+  ExpectInputError([&] { ReplaceSequences({folder_ / "absent"}, matrix); }, {"absent", "sequence.yaml"});
+  ExpectInputError([&] { ReplaceSequences({folder_ / "mine/kitchen", folder_ / "other/kitchen"}, matrix); },
+                   {"other/kitchen", "name"});
+}
+
 TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {
   ExpectInputError([&] { ReadWith("scenes:", "scene:"); }, {"matrix.yaml:3", "scenes"});
   ExpectInputError([&] { ReadWith("paper, preset", "objects, preset"); }, {"matrix.yaml", "'objects' twice"});

@@ -10,7 +10,7 @@
 
 #include "app/eval_command.h"
 #include "app/eval_inputs.h"
-#include "app/interrupt.h"
+#include "io/interrupt.h"
 #include "app/printed_tables.h"
 #include "eval/evaluation_tables.h"
 #include "eval/report/report_page.h"

@@ -114,6 +114,12 @@ Job JobPlanner::Evaluation(const std::string& name, const std::vector<std::strin
   return job;
 }
 
+// True edges of one's own sequences.
+std::vector<std::string> JobPlanner::CadArguments() const {
+  if (matrix_.cad.empty()) return {};
+  return {"--cad", Here(matrix_.cad)};
+}
+
 // Truth and images.
 void JobPlanner::AddSequences(Job& job) const {
   for (const MatrixSequence& sequence : sequences_) job.inputs.emplace_back(Here(sequence.folder));

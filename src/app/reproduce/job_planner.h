@@ -32,6 +32,8 @@ class JobPlanner {
   Job Bench(const Timing& timing) const;
   Job Evaluation(const std::string& name, const std::vector<std::string>& variants,
                  const std::vector<std::string>& more) const;
+  // True edges of one's own sequences.
+  std::vector<std::string> CadArguments() const;
   // Truth and images.
   void AddSequences(Job& job) const;
   // With what all calls are told.

@@ -96,6 +96,27 @@ void KeepOnly(const std::vector<std::string>& names, Matrix& matrix) {
   KeepSequences(Wanted(names, FamilyNames(matrix)), matrix);
 }
 
+void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
+  matrix.scenes.clear();
+  matrix.sequences.clear();
+  matrix.categories.clear();
+  if (matrix.cad.empty()) matrix.retrieval.clear();
+  for (const fs::path& folder : folders) {
+    if (!fs::exists(folder / "sequence.yaml"))
+      throw InputError(fmt::format("{}: is no sequence: it has no sequence.yaml", folder.string()));
+    fs::path absolute = fs::absolute(folder).lexically_normal();
+    if (!absolute.has_filename()) absolute = absolute.parent_path();
+    const std::vector<std::string> names = FamilyNames(matrix);
+    if (std::find(names.begin(), names.end(), absolute.filename().string()) != names.end())
+      throw InputError(fmt::format("{}: another sequence's folder has this name, and runs are named by it",
+                                   folder.string()));
+    matrix.sequences.push_back(absolute);
+  }
+  for (Timing& timing : matrix.timings) {
+    if (!timing.sequences.empty()) timing.sequences = FamilyNames(matrix);
+  }
+}
+
 fs::path DataOfDraw(const Matrix& matrix, int draw) {
   const fs::path data = fs::absolute(matrix.data).lexically_normal();
   return draw == 1 ? data : data / fmt::format("draw{}", draw);

@@ -35,6 +35,8 @@ Matrix MatrixOf(const ReproduceArguments& a) {
   Matrix matrix =
       ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config, a.fast);
   if (!a.data.empty()) matrix.data = a.data;
+  if (!a.cad.empty()) matrix.cad = fs::absolute(a.cad).lexically_normal();
+  if (!a.sequences.empty()) ReplaceSequences(a.sequences, matrix);
   if (a.seeds > 0) matrix.seeds = a.seeds;
   if (!a.only.empty()) {
     KeepOnly(a.only, matrix);
@@ -159,6 +161,10 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
   ReproduceArguments& a = *arguments;
   CLI::App* reproduce =
       app.add_subcommand("reproduce", "Run a matrix of sequences and variants, time, evaluate and report it");
+  reproduce
+      ->add_option("SEQUENCE", a.sequences,
+                   "sequence folders instead of the matrix's; categories are then those of CONFIGS")
+      ->type_name("DIR");
   reproduce->add_option("--config", a.config, "the matrix (CONFIGS/reproduce.yaml, which explains its keys)")
       ->type_name("FILE");
   reproduce->add_flag("--fast", a.fast,
@@ -177,6 +183,7 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
   reproduce->add_option("--name", a.name, "of the folder in it (the matrix's)")->type_name("NAME");
   reproduce->add_option("--data", a.data, "where scenes are rendered to, once (the matrix's)")
       ->type_name("DIR");
+  reproduce->add_option("--cad", a.cad, "annotated CAD models, for retrieval (the matrix's)")->type_name("DIR");
   reproduce->add_option("--jobs", a.jobs, "how many runs at once (a core each); timings are always alone")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
