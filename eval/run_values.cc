@@ -96,7 +96,8 @@ std::vector<NamedValues> TimesOfRun(const fs::path& run) {
 std::optional<std::string> PaceRemark(const std::vector<ComparedValues>& compared) {
   for (const ComparedValues& values : compared) {
     const auto difference = values.name == TimeName(kLoad) ? DifferenceOf(values) : std::nullopt;
-    if (!difference || difference->mark == DifferenceMark::kSame) continue;
+    const auto mark = difference ? difference->mark : DifferenceMark::kTooFew;
+    if (mark != DifferenceMark::kLower && mark != DifferenceMark::kHigher) continue;
     const double ratio = difference->median_b / difference->median_a;
     if (ratio < kOtherPace && ratio > 1 / kOtherPace) continue;
     return fmt::format(
