@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,5 +17,9 @@ struct RunConfiguration {
 
 // config.yaml of a run folder; without the file nothing is known. Throws InputError: malformed.
 RunConfiguration ReadRunConfiguration(const std::filesystem::path& run);
+
+// Every option of config.yaml as written, by its full key ("mapping.loop_closure"); none without the file.
+// Throws InputError: malformed.
+std::map<std::string, std::string> ReadOptionTexts(const std::filesystem::path& run);
 
 }  // namespace armature

@@ -12,7 +12,6 @@
 namespace armature {
 namespace {
 
-constexpr double kFloor = 0.05;
 constexpr size_t kFewest = 5;  // values; fewer say nothing about their spread
 
 double Squared(double value) { return value * value; }
@@ -24,8 +23,8 @@ double DownwardError(const SpanStatistics& s) { return Squared(1 - s.median_low 
 // By which `now` may be above `reference` by chance, both divided by their calibrations.
 double Tolerance(const SpanStatistics& reference, const SpanStatistics& calibration_reference,
                  const SpanStatistics& now, const SpanStatistics& calibration_now) {
-  return kFloor + std::sqrt(UpwardError(reference) + DownwardError(calibration_reference) +
-                            DownwardError(now) + UpwardError(calibration_now));
+  return kGuardFloor + std::sqrt(UpwardError(reference) + DownwardError(calibration_reference) +
+                                 DownwardError(now) + UpwardError(calibration_now));
 }
 
 Verdict VerdictOf(const SpanComparison& span) {

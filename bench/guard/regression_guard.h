@@ -8,7 +8,7 @@
 // How sure each of the four medians is comes from the order of its values (SpanStatistics::median_low,
 // _high), which needs no bell curve: a busy machine makes some of the values several times as large. A span
 // is slower when its ratio is above
-//   1 + kFloor + sqrt(sum of the four medians' errors squared),
+//   1 + kGuardFloor + sqrt(sum of the four medians' errors squared),
 // each error relative and towards the other side, and faster when the inverse of the ratio is. Errors are of
 // three standard deviations, because a hundred spans are compared at once. The floor, because another process
 // has other addresses and no calibration loop feels a machine exactly as every stage does. Seen with one
@@ -26,6 +26,8 @@
 #include "io/text_table.h"
 
 namespace armature {
+
+inline constexpr double kGuardFloor = 0.05;
 
 enum class Verdict {
   kSame,

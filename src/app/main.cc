@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/bench_command.h"
+#include "app/compare_command.h"
 #include "app/eval_command.h"
 #include "app/generate_command.h"
 #include "app/learn_command.h"
@@ -81,6 +82,7 @@ int Main(int argc, char** argv) {
   AddRunCommand(app, exit_status);
   AddPhotoCommand(app, exit_status);
   AddEvalCommand(app, exit_status);
+  AddCompareCommand(app, exit_status);
   AddBenchCommand(app, exit_status);
   AddReproduceCommand(app, exit_status);
   AddLearnCommand(app, exit_status);
