@@ -33,9 +33,10 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
   evaluated.by_odometry = by_odometry;
   std::vector<PlacedObject> map =
       ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
-  const fs::path trajectory = run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt");
-  if (!map.empty() || fs::exists(trajectory))  // a run that placed nothing may have had no odometry
-    evaluated.T_truth_run = AlignmentOf(trajectory, sequence, options);
+  if (!map.empty()) {  // a run that placed nothing may have had no odometry
+    evaluated.T_truth_run =
+        AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
+  }
   map = Moved(std::move(map), evaluated.T_truth_run);
   evaluated.by_distance =
       EvaluateObjects(map, truth, specs, MatchByDistance(map, truth.objects, options.gate_m));

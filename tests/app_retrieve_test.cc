@@ -124,12 +124,13 @@ TEST_F(RetrieveSmallScene, IsShownInAReport) {
   EXPECT_NE(html.find("Localization error on den"), std::string::npos) << "evaluated by the command";
   for (const std::string& instance : InstancesOf("table0"))
     EXPECT_NE(html.find(instance), std::string::npos) << instance;
-  // An overlay each image and, of both objects, the crop and five models.
+  // An overlay each image and, of each object, the crop and five models.
+  const size_t objects = ReadPlacedObjects(run_ + "/objects.csv").size();
   size_t pictures = 0;
   for (size_t at = html.find("data:image/jpeg;base64,"); at != std::string::npos;
        at = html.find("data:image/jpeg;base64,", at + 1))
     ++pictures;
-  EXPECT_GE(pictures, 4u + 2 * 6);
+  EXPECT_EQ(pictures, 4 + 6 * objects);
   RunOk({"report", run_, "--out", page, "--library", library_, "--title", "My <den>"});
   EXPECT_EQ(ReadFile(page), html);
 

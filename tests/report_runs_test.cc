@@ -149,6 +149,17 @@ TEST_F(ReportOfTrueWorld, RetrievedModelsAreNamed) {
   ExpectInputError([&] { CollectReport(sources_); }, {"retrieval.csv:2", "ranks"});
 }
 
+TEST_F(ReportOfTrueWorld, AMapWithoutObjectsIsNotShown) {
+  for (const char* file : {"mine/objects.csv", "mine/objects_odometry.csv"})
+    world_.folder.Write(file, MapText({}));
+  for (const char* file : {"mine/trajectory.txt", "mine/odometry_scaled.txt"})
+    world_.folder.Write(file, "# no odometry\n");
+  const ReportData data = CollectReport(sources_);
+  EXPECT_TRUE(data.maps.empty());
+  EXPECT_TRUE(data.scenes.empty());
+  EXPECT_EQ(data.remarks.back(), "world: no run has a map with objects");
+}
+
 TEST_F(ReportOfTrueWorld, ShapesOfOtherModelsAreRefused) {
   std::vector<PlacedObject> map = TrueMap(world_.sequence.truth);  // two coefficients
   world_.folder.Write("mine/objects.csv", MapText(map));

@@ -64,7 +64,7 @@ void AddSequence(const SequenceRuns& sequence, const ReportSources& sources, Rep
   if (auto map = TopDownMapOf(sequence)) {
     data.maps.push_back(std::move(*map));
   } else {
-    data.remarks.push_back(fmt::format("{}: no run has a map", sequence.name));
+    data.remarks.push_back(fmt::format("{}: no run has a map with objects", sequence.name));
   }
   AddAll(OverlayFramesOf(sequence, sources.models, data.remarks), data.overlays);
   std::vector<RetrievalStrip> strips = RetrievalStripsOf(sequence, sources.library, data.remarks);

@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 constexpr Eigen::Index kMostTriangles = 20000;  // of one surface: the page has to stay small
 constexpr double kCameraSpacing = 0.4;          // metres along the path
 constexpr double kCameraDepth = 0.12;           // metres, of a pyramid
+constexpr size_t kLeastCameras = 12;            // of a path with as many
 constexpr size_t kMostPoints = 1000;            // of a path
 
 std::vector<Vector3d> PathOf(const std::vector<TimedPose>& cameras) {
@@ -36,12 +37,20 @@ std::array<Vector3d, 5> Pyramid(const Eigen::Isometry3d& T_world_camera) {
   return points;
 }
 
-std::vector<std::array<Vector3d, 5>> PyramidsOf(const std::vector<TimedPose>& cameras) {
-  std::vector<Eigen::Isometry3d> poses;
+// Along the path; of a camera that only turns some all the same.
+std::vector<Eigen::Isometry3d> ShownCameras(const std::vector<TimedPose>& cameras) {
+  std::vector<Eigen::Isometry3d> poses, spread;
   for (const TimedPose& camera : cameras) poses.push_back(camera.pose);
+  const std::vector<Eigen::Isometry3d> spaced = SpacedCameras(poses, kCameraSpacing);
+  if (spaced.size() >= kLeastCameras) return spaced;
+  const size_t step = std::max<size_t>(1, poses.size() / kLeastCameras);
+  for (size_t i = 0; i < poses.size(); i += step) spread.push_back(poses[i]);
+  return spread;
+}
+
+std::vector<std::array<Vector3d, 5>> PyramidsOf(const std::vector<TimedPose>& cameras) {
   std::vector<std::array<Vector3d, 5>> pyramids;
-  for (const Eigen::Isometry3d& pose : SpacedCameras(poses, kCameraSpacing))
-    pyramids.push_back(Pyramid(pose));
+  for (const Eigen::Isometry3d& pose : ShownCameras(cameras)) pyramids.push_back(Pyramid(pose));
   return pyramids;
 }
 

@@ -58,15 +58,15 @@ std::vector<TimedPose> Moved(std::vector<TimedPose> cameras, const Similarity& T
   return cameras;
 }
 
-// As it is told in the run's files.
+// As it is told in the run's files. A run that placed nothing may have had no odometry.
 std::optional<ShownMap> OwnMap(const LoadedRun& run, bool by_odometry) {
-  const fs::path objects = run.results.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv");
+  const fs::path file = run.results.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv");
   const fs::path cameras = run.results.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt");
-  if (!fs::exists(objects) || !fs::exists(cameras)) return std::nullopt;
-  return ShownMap{ApproachName(by_odometry, run.configuration),
-                  ReadTumTrajectory(cameras),
-                  ReadPlacedObjects(objects),
-                  {}};
+  if (!fs::exists(file)) return std::nullopt;
+  std::vector<PlacedObject> objects = ReadPlacedObjects(file);
+  if (objects.empty()) return std::nullopt;
+  return ShownMap{
+      ApproachName(by_odometry, run.configuration), ReadTumTrajectory(cameras), std::move(objects), {}};
 }
 
 void BringToTruth(const SequenceTruth& truth, const std::vector<CategorySpec>& specs, LoadedRun& run) {

@@ -26,7 +26,7 @@ struct LoadedRun {
   std::string name;  // as the tables have it
   RunResults results;
   RunConfiguration configuration;
-  std::optional<ShownMap> map, odometry;  // none: the run has no such files
+  std::optional<ShownMap> map, odometry;  // none: without objects
 };
 
 struct SequenceRuns {
