@@ -10,7 +10,7 @@ function barFrame(svg, labels, most, width, unit) {
   const x = d3.scaleLinear([0, most], [left, width - 70]);
   const bottom = labels.length * barStep + 6;
   svg.append('g').attr('transform', `translate(0,${bottom})`).call(d3.axisBottom(x).ticks(Math.max(width / 110, 2)));
-  svg.append('text').attr('class', 'quiet').attr('x', width).attr('y', bottom + 17).attr('text-anchor', 'end')
+  svg.append('text').attr('class', 'quiet').attr('x', width - 48).attr('y', bottom + 17)
       .text(unit);
   const label = svg.selectAll('text.name').data(labels).join('text').attr('class', 'name')
       .attr('y', (_, i) => i * barStep + barHeight / 2 + 8).attr('x', left - 8).attr('text-anchor', 'end');

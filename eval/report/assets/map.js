@@ -26,7 +26,7 @@ function mapScales(map, width, height) {
 }
 
 function drawGrid(svg, x, y, width, height) {
-  const [step] = [0.1, 0.5, 1, 5, 10, 50].filter((s) => x(s) - x(0) >= 28).concat(100);
+  const [step] = [0.1, 1, 5, 10, 50].filter((s) => x(s) - x(0) >= 30).concat(100);
   const lines = (scale) => d3.range(Math.ceil(d3.min(scale.domain()) / step), d3.max(scale.domain()) / step);
   const grid = svg.append('g').style('stroke', 'var(--faint)');
   grid.selectAll('.v').data(lines(x)).join('path').attr('d', (i) => `M${x(i * step)},0V${height}`);
@@ -47,9 +47,12 @@ function frontMark(object, x, y) {
   return `M${corners.map(([a, b]) => [x(cx + a * fx - b * reach * fy), y(cy + a * fy + b * reach * fx)]).join('L')}Z`;
 }
 
-function drawPath(svg, points, x, y, name) {
+// With a dot where it starts.
+function drawPath(svg, points, x, y, name, stroke) {
+  const [start] = points;
+  if (start) svg.append('circle').attr('r', 3.5).attr('cx', x(start[0])).attr('cy', y(start[1])).style('fill', stroke);
   return svg.append('path').attr('class', name).attr('d', d3.line().x((p) => x(p[0])).y((p) => y(p[1]))(points))
-      .style('fill', 'none').style('stroke-width', 2);
+      .style('fill', 'none').style('stroke', stroke).style('stroke-width', 2);
 }
 
 function drawTruth(svg, layer, x, y) {
@@ -57,13 +60,13 @@ function drawTruth(svg, layer, x, y) {
   const shapes = objects.selectAll('path').data(layer.objects).join('path').style('fill-opacity', 0.28)
       .attr('d', (object) => outline(object, x, y) + frontMark(object, x, y));
   withTip(shapes, (object) => `true ${object.category}: ${object.id}`);
-  drawPath(svg, layer.trajectory, x, y, 'true path').style('stroke', 'var(--truth)').attr('stroke-dasharray', '5 4');
+  drawPath(svg, layer.trajectory, x, y, 'true path', 'var(--truth)').attr('stroke-dasharray', '5 4');
 }
 
 const errorText = (object) => object.error_m === null ? 'no true object' : `${object.error_m.toFixed(3)} m off`;
 
 function drawEstimate(svg, layer, truth, x, y) {
-  drawPath(svg, layer.trajectory, x, y, 'path').style('stroke', 'var(--path)');
+  drawPath(svg, layer.trajectory, x, y, 'path', 'var(--path)');
   const objects = svg.append('g').attr('class', 'objects');
   const shapes = objects.selectAll('path').data(layer.objects).join('path').attr('class', 'object')
       .attr('d', (object) => outline(object, x, y) + frontMark(object, x, y))
@@ -75,10 +78,18 @@ function drawEstimate(svg, layer, truth, x, y) {
   svg.append('g').selectAll('path').data(pairs).join('path').attr('class', 'error')
       .attr('d', ([a, b]) => `M${x(b[0])},${y(b[1])}L${x(a[0])},${y(a[1])}`)
       .style('stroke', 'var(--error)').style('stroke-width', 3).style('stroke-linecap', 'round');
-  svg.append('g').selectAll('text').data(layer.objects).join('text').attr('class', 'halo')
-      .attr('text-anchor', 'middle').attr('font-size', 11).style('pointer-events', 'none')
-      .attr('x', (object) => x(centreOf(object)[0]))
-      .attr('y', (object) => d3.min(object.footprint, (p) => y(p[1])) - 4).text((object) => object.id);
+  drawNames(svg, layer.objects, x, y);
+}
+
+// Above or below the object, where its front is not.
+function drawNames(svg, objects, x, y) {
+  const level = ({footprint, front}) => {
+    const [top, bottom] = d3.extent(footprint, (p) => y(p[1]));
+    return front[1] > 0 ? bottom + 12 : top - 4;
+  };
+  svg.append('g').selectAll('text').data(objects).join('text').attr('class', 'halo').attr('text-anchor', 'middle')
+      .attr('font-size', 11).style('pointer-events', 'none').attr('x', (object) => x(centreOf(object)[0]))
+      .attr('y', level).text((object) => object.id);
 }
 
 // One panel; `layer` is what of the map's estimates it shows at first.

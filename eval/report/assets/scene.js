@@ -16,7 +16,7 @@ function startView(view, scene, box) {
   if (back.length() < 0.3) back.set(1, 0.2, 1).projectOnPlane(up);
   const reach = box.getSize(new THREE.Vector3()).length() / 2;
   view.camera.up.copy(up);
-  view.camera.position.copy(centre).addScaledVector(back.normalize(), 1.35 * reach).addScaledVector(up, 0.85 * reach);
+  view.camera.position.copy(centre).addScaledVector(back.normalize(), 1.1 * reach).addScaledVector(up, 0.75 * reach);
   view.controls?.dispose();
   view.controls = new THREE.OrbitControls(view.camera, view.renderer.domElement);
   view.controls.target.copy(centre).addScaledVector(up, -0.1 * reach);
@@ -25,7 +25,7 @@ function startView(view, scene, box) {
 }
 
 function light(up) {
-  const sky = new THREE.HemisphereLight(0xffffff, 0x888888, 0.85);
+  const sky = new THREE.HemisphereLight(0xffffff, 0x777777, 0.75);
   sky.position.copy(up);
   const sun = new THREE.DirectionalLight(0xffffff, 0.35);
   sun.position.copy(up).add(new THREE.Vector3(0.5, 0.3, 0.8));
