@@ -13,11 +13,17 @@ function timeScale(points, height, logarithmic) {
   return d3.scaleLinear([0, most], range).nice();
 }
 
-function drawAxes(svg, item, x, y, width, height) {
+// Whole powers of ten alone, where there are enough: all others would be a dense grid.
+function timeTicks(y, logarithmic) {
+  const powers = logarithmic ? y.ticks().filter((value) => Number.isInteger(Math.log10(value))) : [];
+  return d3.axisLeft(y).ticks(6, '~g').tickValues(powers.length > 2 ? powers : null);
+}
+
+function drawAxes(svg, item, x, yAxis, width, height) {
   svg.append('g').attr('transform', `translate(0,${height - margin.bottom})`)
       .call(d3.axisBottom(x).ticks(Math.max(width / 90, 3)));
   svg.append('g').attr('transform', `translate(${margin.left},0)`)
-      .call(d3.axisLeft(y).ticks(6, '~g').tickSize(margin.left + margin.right - width))
+      .call(yAxis.tickSize(margin.left + margin.right - width))
       .call((axis) => axis.select('.domain').remove());
   svg.append('text').attr('class', 'quiet').attr('x', (width + margin.left) / 2).attr('y', height - 6)
       .attr('text-anchor', 'middle').text(item.x_label);
@@ -44,18 +50,19 @@ report.draw.curves = (figure, item) => {
   if (points.length === 0) return;
   let logarithmic = d3.max(points, (p) => p.median) > 30 * d3.min(points, (p) => p.median);
   const draw = (width) => {
-    const height = Math.min(380, Math.max(240, width * 0.45));
+    const height = Math.min(380, Math.max(240, width * 0.5));
     const svg = freshSvg(panel, width, height, `${item.y_label} against ${item.x_label}`);
     const x = d3.scaleLinear(d3.extent(points, (p) => p.x), [margin.left, width - margin.right]).nice();
     const y = timeScale(points, height, logarithmic);
-    drawAxes(svg, item, x, y, width, height);
+    drawAxes(svg, item, x, timeTicks(y, logarithmic), width, height);
     item.curves.forEach((curve, i) => drawCurve(svg, curve, i, x, y));
   };
   const redraw = (checked) => {
     logarithmic = checked;
     draw(panel.clientWidth);
   };
-  figure.append(legend(item.curves.map((curve, i) => [curve.name, colour(i), i % 4 ? 'line dashed' : 'line'])),
-                element('div', {className: 'controls'}, checkbox('logarithmic times', logarithmic, redraw)), panel);
+  const names = item.curves.map((curve, i) => [curve.name, colour(i), i % 4 ? 'line dashed' : 'line']);
+  if (names.length > 1) figure.append(legend(names));
+  figure.append(element('div', {className: 'controls'}, checkbox('logarithmic times', logarithmic, redraw)), panel);
   drawAtWidth(panel, draw);
 };

@@ -127,7 +127,9 @@ report.draw.maps = (figure, map) => {
   const draw = () => panels.forEach((panel) => drawPanel(panel, map, width, transform));
   const panels = map.estimates.slice(0, 2).map((_, layer) => mapPanel(map, layer, draw));
   const area = element('div', {className: 'panels map'}, ...panels.map((panel) => panel.node));
-  const zoom = d3.zoom().scaleExtent([0.5, 20]).on('zoom', () => {
+  // Fingers scroll the page, which a map would fill on a small screen.
+  const inDrawing = () => !d3.event.button && d3.event.target.closest('svg');
+  const zoom = d3.zoom().scaleExtent([0.5, 20]).touchable(false).filter(inDrawing).on('zoom', () => {
     transform = d3.event.transform;
     d3.selectAll(panels.map((panel) => panel.node)).property('__zoom', transform);  // the panels move together
     draw();

@@ -74,6 +74,16 @@ function addThemeSwitch() {
       'change', () => document.dispatchEvent(new Event('scheme')));
 }
 
+// What is folded is printed, too.
+function unfoldForPrinting() {
+  let folded = [];
+  window.addEventListener('beforeprint', () => {
+    folded = [...document.querySelectorAll('main details:not([open])')];
+    folded.forEach((details) => { details.open = true; });
+  });
+  window.addEventListener('afterprint', () => folded.forEach((details) => { details.open = false; }));
+}
+
 // Marks the section that is being read.
 function followSections() {
   const links = new Map([...document.querySelectorAll('nav a')].map((a) => [a.hash.slice(1), a]));

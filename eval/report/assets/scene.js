@@ -19,6 +19,7 @@ function startView(view, scene, box) {
   view.camera.position.copy(centre).addScaledVector(back.normalize(), 1.1 * reach).addScaledVector(up, 0.75 * reach);
   view.controls?.dispose();
   view.controls = new THREE.OrbitControls(view.camera, view.renderer.domElement);
+  view.controls.enableKeys = false;  // the arrow keys scroll the page
   view.controls.target.copy(centre).addScaledVector(up, -0.1 * reach);
   view.controls.addEventListener('change', view.render);
   view.controls.update();
