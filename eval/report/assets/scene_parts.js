@@ -42,7 +42,8 @@ function pathPart(points, value) {
 function camerasPart(cameras, value) {
   const material = new THREE.LineBasicMaterial({color: schemeColour(value)});
   const edges = [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]];
-  const points = cameras.flatMap((corners) => edges.flatMap(([a, b]) => [vector(corners[a]), vector(corners[b])]));
+  const points =
+      cameras.flatMap((corners) => edges.flatMap(([a, b]) => [vector(corners[a]), vector(corners[b])]));
   return new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points), material);
 }
 
@@ -66,9 +67,11 @@ function cadPart(object) {
   geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
   geometry.setAttribute('color', new THREE.BufferAttribute(shade, 3));
   geometry.computeVertexNormals();
-  const material = surface(colours.length ? '#ffffff' : categoryColour(object.category),
-                           {vertexColors: THREE.VertexColors, polygonOffset: true, polygonOffsetFactor: 1});
-  if (colours.length === 0) material.color.lerp(new THREE.Color(0xd8d8d8), 0.45);  // calmer than the wireframe
+  const material = surface(
+      colours.length ? '#ffffff' : categoryColour(object.category),
+      {vertexColors: THREE.VertexColors, polygonOffset: true, polygonOffsetFactor: 1});
+  if (colours.length === 0)
+    material.color.lerp(new THREE.Color(0xd8d8d8), 0.45);  // calmer than the wireframe
   const group = new THREE.Group();
   group.add(new THREE.Mesh(geometry, material), creases(geometry));
   return group;
@@ -97,10 +100,12 @@ function sceneLayers(scene) {
     'cameras': scene.cameras.length ? camerasPart(scene.cameras, 'var(--quiet)') : null,
     'estimated path': scene.path.length ? pathPart(scene.path, 'var(--path)') : null,
     'true path': scene.true_path.length ? pathPart(scene.true_path, 'var(--truth)') : null,
-    'wireframes': groupOf(scene.objects, (o) => rods(o.wireframe, 0.011, surface(categoryColour(o.category)))),
+    'wireframes':
+        groupOf(scene.objects, (o) => rods(o.wireframe, 0.011, surface(categoryColour(o.category)))),
     'CAD models': groupOf(scene.objects.filter((object) => object.cad.triangles.length), cadPart),
     'true boxes': groupOf(scene.objects, (object) => rods(object.true_box, 0.005, surface('var(--truth)'))),
   };
-  const empty = (part) => part === null || (part.isGroup && part.children.every((c) => c.isGroup && !c.children.length));
+  const empty = (part) =>
+      part === null || (part.isGroup && part.children.every((c) => c.isGroup && !c.children.length));
   return Object.fromEntries(Object.entries(layers).filter(([, part]) => !empty(part)));
 }
