@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -t files < <(find src bench eval datasets tests \( -name '*.h' -o -name '*.cc' \) 2>/dev/null | sort)
+mapfile -t files < <(find src bench eval datasets tests \( -name '*.h' -o -name '*.cc' -o -name '*.js' \) 2>/dev/null | sort)
 
 if [[ ${1:-} != --check ]]; then
   clang-format -i "${files[@]}"

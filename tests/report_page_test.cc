@@ -86,7 +86,8 @@ TEST(HtmlTable, HoldsTheCellsWithDashesForNothing) {
       "T", {"run", "error [m]"}, {{TextCell("a<b"), NumberCell(0.5, 2)}, {TextCell("c"), NoCell()}}, {}};
   EXPECT_EQ(
       TableHtml(table, "t"),
-      "<figure class=\"table\" id=\"t\">\n<figcaption>T</figcaption>\n<div class=\"scroll\" tabindex=\"0\">"
+      "<figure class=\"table\" id=\"t\">\n<figcaption>T</figcaption>\n<div class=\"scroll\" role=\"region\" "
+      "aria-label=\"T\" tabindex=\"0\">"
       "<table>\n<thead><tr><th scope=\"col\">run</th><th scope=\"col\" class=\"number\">error [m]</th></tr>"
       "</thead>\n<tbody>\n<tr><td>a&lt;b</td><td class=\"number\">0.50</td></tr>\n"
       "<tr><td>c</td><td class=\"number\">–</td></tr>\n</tbody></table></div>\n</figure>\n");

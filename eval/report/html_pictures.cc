@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "eval/report/html_text.h"
 
 namespace armature {
@@ -47,6 +50,14 @@ std::string StripHtml(const RetrievalStrip& strip) {
   return html + "</div>\n";
 }
 
+// Those of one run.
+std::string FoldedStripsHtml(std::span<const RetrievalStrip> strips, bool open) {
+  std::string html = fmt::format("<details{}><summary><b>{}</b>: {} objects</summary>\n", open ? " open" : "",
+                                 Joined({strips[0].sequence, strips[0].run}), strips.size());
+  for (const RetrievalStrip& strip : strips) html += StripHtml(strip);
+  return html + "</details>\n";
+}
+
 }  // namespace
 
 std::string OverlaysHtml(const std::vector<OverlayFrame>& frames) {
@@ -57,7 +68,13 @@ std::string OverlaysHtml(const std::vector<OverlayFrame>& frames) {
 
 std::string StripsHtml(const std::vector<RetrievalStrip>& strips) {
   std::string html = "<div class=\"strips\">\n";
-  for (const RetrievalStrip& strip : strips) html += StripHtml(strip);
+  for (auto first = strips.begin(); first != strips.end();) {
+    const auto last = std::find_if_not(first, strips.end(), [first](const RetrievalStrip& strip) {
+      return strip.sequence == first->sequence && strip.run == first->run;
+    });
+    html += FoldedStripsHtml({first, last}, first == strips.begin());
+    first = last;
+  }
   return html + "</div>\n";
 }
 

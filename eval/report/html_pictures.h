@@ -12,7 +12,8 @@ namespace armature {
 // Frames side by side, as many as fit.
 std::string OverlaysHtml(const std::vector<OverlayFrame>& frames);
 
-// A row an object: as it was seen, then its models, the true one marked.
+// A row an object: as it was seen, then its models, the true one marked. The rows of a run, which stand
+// together, can be folded; those of the first are not.
 std::string StripsHtml(const std::vector<RetrievalStrip>& strips);
 
 }  // namespace armature

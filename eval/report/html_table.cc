@@ -59,9 +59,11 @@ std::string NotesHtml(const std::vector<std::string>& notes) {
 
 std::string TableHtml(const Table& table, const std::string& id) {
   return fmt::format(
-      "<figure class=\"table\" id=\"{}\">\n<figcaption>{}</figcaption>\n<div class=\"scroll\" tabindex=\"0\">"
+      "<figure class=\"table\" id=\"{}\">\n<figcaption>{}</figcaption>\n<div class=\"scroll\" "
+      "role=\"region\" aria-label=\"{}\" tabindex=\"0\">"
       "<table>\n{}{}</table></div>\n{}</figure>\n",
-      EscapedHtml(id), EscapedHtml(table.title), HeadHtml(table), BodyHtml(table), NotesHtml(table.notes));
+      EscapedHtml(id), EscapedHtml(table.title), EscapedHtml(table.title), HeadHtml(table), BodyHtml(table),
+      NotesHtml(table.notes));
 }
 
 }  // namespace armature

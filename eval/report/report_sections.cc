@@ -73,18 +73,23 @@ std::string ScenesHtml(const ReportData& data) {
                   "Drag to turn, wheel to come nearer, right button to move; a square is 1 m.");
 }
 
+std::string CurvesHtml(const std::vector<TimeCurves>& curves) {
+  if (curves.empty()) return "";
+  std::string html = "<div class=\"plots\">\n";
+  for (size_t i = 0; i < curves.size(); ++i) {
+    html += PlotHtml("curves", i, curves[i].sequence,
+                     fmt::format("{} against {}: medians, bands from the 10th to the 90th percentile",
+                                 curves[i].y_label, curves[i].x_label));
+  }
+  return html + "</div>\n";
+}
+
 std::string TimingHtml(const ReportData& data) {
   std::string html;
   for (size_t i = 0; i < data.stages.size(); ++i) {
     html += PlotHtml("stages", i, data.stages[i].sequence, data.stages[i].caption);
   }
-  for (size_t i = 0; i < data.curves.size(); ++i) {
-    const TimeCurves& curves = data.curves[i];
-    html += PlotHtml("curves", i, curves.sequence,
-                     fmt::format("{} against {}: medians, with bands from the 10th to the 90th percentile",
-                                 curves.y_label, curves.x_label));
-  }
-  return html + TablesHtml(data, ReportSection::kTiming);
+  return html + CurvesHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
 }
 
 std::string AblationHtml(const ReportData& data) {

@@ -5,8 +5,8 @@
 const all = (selector, root = document) => [...root.querySelectorAll(selector)];
 const texts = (nodes) => nodes.map((node) => node.textContent);
 const within = (plot, selector) => all(`[data-plot="${plot}"]`).map((figure) => all(selector, figure).length);
-const tableCells = () => all('figure.table table').map(
-    (table) => all('tbody tr', table).map((row) => texts([...row.cells])));
+const tableCells = () =>
+    all('figure.table table').map((table) => all('tbody tr', table).map((row) => texts([...row.cells])));
 
 // What a table's column shows, and its head says, after each of three presses.
 function sortedByPressing(table, column) {

@@ -2,7 +2,12 @@
 // Time against something that grows: medians as lines, bands between the 10th and 90th percentile.
 
 const dashes = ['', '7 4', '2 3', '10 3 2 3'];
-const margin = {top: 12, right: 20, bottom: 42, left: 58};
+const margin = {
+  top: 12,
+  right: 20,
+  bottom: 42,
+  left: 58
+};
 
 function timeScale(points, height, logarithmic) {
   const most = d3.max(points, (p) => Math.max(p.median, p.p90));
@@ -13,29 +18,54 @@ function timeScale(points, height, logarithmic) {
   return d3.scaleLinear([0, most], range).nice();
 }
 
-function drawAxes(svg, item, x, y, width, height) {
-  svg.append('g').attr('transform', `translate(0,${height - margin.bottom})`)
+// Whole powers of ten alone, where there are enough: all others would be a dense grid.
+function timeTicks(y, logarithmic) {
+  const powers = logarithmic ? y.ticks().filter((value) => Number.isInteger(Math.log10(value))) : [];
+  return d3.axisLeft(y).ticks(6, '~g').tickValues(powers.length > 2 ? powers : null);
+}
+
+function drawAxes(svg, item, x, yAxis, width, height) {
+  svg.append('g')
+      .attr('transform', `translate(0,${height - margin.bottom})`)
       .call(d3.axisBottom(x).ticks(Math.max(width / 90, 3)));
-  svg.append('g').attr('transform', `translate(${margin.left},0)`)
-      .call(d3.axisLeft(y).ticks(6, '~g').tickSize(margin.left + margin.right - width))
+  svg.append('g')
+      .attr('transform', `translate(${margin.left},0)`)
+      .call(yAxis.tickSize(margin.left + margin.right - width))
       .call((axis) => axis.select('.domain').remove());
-  svg.append('text').attr('class', 'quiet').attr('x', (width + margin.left) / 2).attr('y', height - 6)
-      .attr('text-anchor', 'middle').text(item.x_label);
-  svg.append('text').attr('class', 'quiet').attr('transform', `translate(13,${height / 2}) rotate(-90)`)
-      .attr('text-anchor', 'middle').text(item.y_label);
+  svg.append('text')
+      .attr('class', 'quiet')
+      .attr('x', (width + margin.left) / 2)
+      .attr('y', height - 6)
+      .attr('text-anchor', 'middle')
+      .text(item.x_label);
+  svg.append('text')
+      .attr('class', 'quiet')
+      .attr('transform', `translate(13,${height / 2}) rotate(-90)`)
+      .attr('text-anchor', 'middle')
+      .text(item.y_label);
 }
 
 function drawCurve(svg, curve, index, x, y) {
   const band = d3.area().x((p) => x(p.x)).y0((p) => y(p.p10)).y1((p) => y(p.p90));
   const line = d3.line().x((p) => x(p.x)).y((p) => y(p.median));
-  svg.append('path').attr('class', 'band').attr('d', band(curve.points)).style('fill', colour(index))
-      .style('opacity', 0.18);
-  svg.append('path').attr('class', 'curve').attr('d', line(curve.points)).style('fill', 'none')
-      .style('stroke', colour(index)).style('stroke-width', 2.2).attr('stroke-dasharray', dashes[index % 4]);
-  const dots = svg.append('g').selectAll('circle').data(curve.points).join('circle').attr('r', 4)
-      .attr('cx', (p) => x(p.x)).attr('cy', (p) => y(p.median)).style('fill', colour(index));
-  withTip(dots, (p) => `${curve.name} at ${p.x}\nmedian ${milliseconds(p.median)} ms\n` +
-                       `p10 ${milliseconds(p.p10)}, p90 ${milliseconds(p.p90)} ms`);
+  svg.append('path').attr('class', 'band').attr('d', band(curve.points)).style('fill', colour(index));
+  svg.append('path')
+      .attr('class', 'curve')
+      .attr('d', line(curve.points))
+      .style('stroke', colour(index))
+      .attr('stroke-dasharray', dashes[index % 4]);
+  const dots = svg.append('g')
+                   .selectAll('circle')
+                   .data(curve.points)
+                   .join('circle')
+                   .attr('r', 4)
+                   .attr('cx', (p) => x(p.x))
+                   .attr('cy', (p) => y(p.median))
+                   .style('fill', colour(index));
+  withTip(
+      dots,
+      (p) => `${curve.name} at ${p.x}\nmedian ${milliseconds(p.median)} ms\n` +
+          `p10 ${milliseconds(p.p10)}, p90 ${milliseconds(p.p90)} ms`);
 }
 
 report.draw.curves = (figure, item) => {
@@ -44,18 +74,20 @@ report.draw.curves = (figure, item) => {
   if (points.length === 0) return;
   let logarithmic = d3.max(points, (p) => p.median) > 30 * d3.min(points, (p) => p.median);
   const draw = (width) => {
-    const height = Math.min(380, Math.max(240, width * 0.45));
+    const height = Math.min(380, Math.max(240, width * 0.5));
     const svg = freshSvg(panel, width, height, `${item.y_label} against ${item.x_label}`);
     const x = d3.scaleLinear(d3.extent(points, (p) => p.x), [margin.left, width - margin.right]).nice();
     const y = timeScale(points, height, logarithmic);
-    drawAxes(svg, item, x, y, width, height);
+    drawAxes(svg, item, x, timeTicks(y, logarithmic), width, height);
     item.curves.forEach((curve, i) => drawCurve(svg, curve, i, x, y));
   };
   const redraw = (checked) => {
     logarithmic = checked;
     draw(panel.clientWidth);
   };
-  figure.append(legend(item.curves.map((curve, i) => [curve.name, colour(i), i % 4 ? 'line dashed' : 'line'])),
-                element('div', {className: 'controls'}, checkbox('logarithmic times', logarithmic, redraw)), panel);
+  const names = item.curves.map((curve, i) => [curve.name, colour(i), i % 4 ? 'line dashed' : 'line']);
+  if (names.length > 1) figure.append(legend(names));
+  figure.append(
+      element('div', {className: 'controls'}, checkbox('logarithmic times', logarithmic, redraw)), panel);
   drawAtWidth(panel, draw);
 };

@@ -19,13 +19,16 @@ function addGallery() {
     made.addEventListener('click', onClick);
     return made;
   };
-  dialog.append(element('div', {className: 'controls'}, button('← previous', () => show(shown - 1)),
-                        button('next →', () => show(shown + 1)), button('close', () => dialog.close())));
+  dialog.append(element(
+      'div', {className: 'controls'}, button('← previous', () => show(shown - 1)),
+      button('next →', () => show(shown + 1)), button('close', () => dialog.close())));
   dialog.addEventListener('keydown', (event) => {
     if (event.key === 'ArrowLeft') show(shown - 1);
     if (event.key === 'ArrowRight') show(shown + 1);
   });
-  dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
   document.body.append(dialog);
   images.forEach((image, index) => {
     const opener = element('button', {type: 'button', className: 'zoom'});

@@ -48,7 +48,9 @@ function showTip(text) {
   tip.style.top = `${d3.event.clientY + 14}px`;
 }
 function withTip(selection, text) {
-  selection.on('mousemove', (item) => showTip(text(item))).on('mouseleave', () => { tip.hidden = true; });
+  selection.on('mousemove', (item) => showTip(text(item))).on('mouseleave', () => {
+    tip.hidden = true;
+  });
 }
 
 // The switch between the system's scheme, light and dark; figures that cannot follow CSS listen to 'scheme'.
@@ -63,15 +65,35 @@ function addThemeSwitch() {
   };
   button.addEventListener('click', () => {
     const theme = themes[(themes.indexOf(document.documentElement.dataset.theme) + 1) % themes.length];
-    try { localStorage.setItem('armature-theme', theme); } catch (error) { /* not remembered, that is all */ }
+    try {
+      localStorage.setItem('armature-theme', theme);
+    } catch (error) { /* not remembered, that is all */
+    }
     show(theme);
   });
   let remembered = null;
-  try { remembered = localStorage.getItem('armature-theme'); } catch (error) { /* as the system has it */ }
+  try {
+    remembered = localStorage.getItem('armature-theme');
+  } catch (error) { /* as the system has it */
+  }
   show(themes.includes(remembered) ? remembered : 'auto');
   document.querySelector('body > header').append(button);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener(
-      'change', () => document.dispatchEvent(new Event('scheme')));
+  matchMedia('(prefers-color-scheme: dark)')
+      .addEventListener('change', () => document.dispatchEvent(new Event('scheme')));
+}
+
+// What is folded is printed, too.
+function unfoldForPrinting() {
+  let folded = [];
+  window.addEventListener('beforeprint', () => {
+    folded = [...document.querySelectorAll('main details:not([open])')];
+    folded.forEach((details) => {
+      details.open = true;
+    });
+  });
+  window.addEventListener('afterprint', () => folded.forEach((details) => {
+    details.open = false;
+  }));
 }
 
 // Marks the section that is being read.

@@ -5,10 +5,13 @@
 const colour = (i) => `var(--c${i % 8})`;
 
 // A category has one colour in all figures: in the alphabet's order over all maps and scenes.
-const categories = [...new Set([
-  ...report.data.maps.flatMap((map) => [map.truth, ...map.estimates].flatMap((layer) => layer ? layer.objects : [])),
-  ...report.data.scenes.flatMap((scene) => scene.objects),
-].map((object) => object.category))].sort();
+const categories = [
+  ...new Set([
+    ...report.data.maps.flatMap(
+        (map) => [map.truth, ...map.estimates].flatMap((layer) => layer ? layer.objects : [])),
+    ...report.data.scenes.flatMap((scene) => scene.objects),
+  ].map((object) => object.category))
+].sort();
 const categoryColour = (category) => colour([1, 2, 3, 5, 6, 4][categories.indexOf(category) % 6]);
 
 // Calls draw(width) now and whenever the node's width has changed.
@@ -27,7 +30,10 @@ function drawAtWidth(node, draw) {
 // An empty drawing of that size in place of what the node held.
 function freshSvg(node, width, height, label) {
   d3.select(node).select('svg').remove();
-  return d3.select(node).append('svg').attr('viewBox', [0, 0, width, height]).attr('role', 'img')
+  return d3.select(node)
+      .append('svg')
+      .attr('viewBox', [0, 0, width, height])
+      .attr('role', 'img')
       .attr('aria-label', label);
 }
 
@@ -39,8 +45,11 @@ const labelWidth = (texts, width) => Math.min(width / 3, 12 + 6.5 * d3.max(texts
 
 // A text that is cut where the room ends; the whole one is its title.
 function cutText(selection, text, room) {
-  selection.text((item) => {
-    const whole = text(item), letters = Math.floor(room / 6.5);
-    return whole.length <= letters ? whole : `${whole.slice(0, Math.max(letters - 1, 1))}…`;
-  }).append('title').text(text);
+  selection
+      .text((item) => {
+        const whole = text(item), letters = Math.floor(room / 6.5);
+        return whole.length <= letters ? whole : `${whole.slice(0, Math.max(letters - 1, 1))}…`;
+      })
+      .append('title')
+      .text(text);
 }

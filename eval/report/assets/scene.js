@@ -10,22 +10,25 @@ function hasWebGl() {
 // Where the view starts: above the cameras, looking over them at the objects.
 function startView(view, scene, box) {
   const up = vector(scene.up), centre = box.getCenter(new THREE.Vector3());
-  const mean = scene.path.reduce((sum, p) => sum.add(vector(p)), new THREE.Vector3()).divideScalar(
-      Math.max(scene.path.length, 1));
+  const mean = scene.path.reduce((sum, p) => sum.add(vector(p)), new THREE.Vector3())
+                   .divideScalar(Math.max(scene.path.length, 1));
   const back = mean.sub(centre).projectOnPlane(up);
   if (back.length() < 0.3) back.set(1, 0.2, 1).projectOnPlane(up);
   const reach = box.getSize(new THREE.Vector3()).length() / 2;
   view.camera.up.copy(up);
-  view.camera.position.copy(centre).addScaledVector(back.normalize(), 1.35 * reach).addScaledVector(up, 0.85 * reach);
+  view.camera.position.copy(centre)
+      .addScaledVector(back.normalize(), 1.1 * reach)
+      .addScaledVector(up, 0.75 * reach);
   view.controls?.dispose();
   view.controls = new THREE.OrbitControls(view.camera, view.renderer.domElement);
+  view.controls.enableKeys = false;  // the arrow keys scroll the page
   view.controls.target.copy(centre).addScaledVector(up, -0.1 * reach);
   view.controls.addEventListener('change', view.render);
   view.controls.update();
 }
 
 function light(up) {
-  const sky = new THREE.HemisphereLight(0xffffff, 0x888888, 0.85);
+  const sky = new THREE.HemisphereLight(0xffffff, 0x777777, 0.75);
   sky.position.copy(up);
   const sun = new THREE.DirectionalLight(0xffffff, 0.35);
   sun.position.copy(up).add(new THREE.Vector3(0.5, 0.3, 0.8));

@@ -42,12 +42,19 @@ function pathPart(points, value) {
 function camerasPart(cameras, value) {
   const material = new THREE.LineBasicMaterial({color: schemeColour(value)});
   const edges = [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [2, 3], [3, 4], [4, 1]];
-  const points = cameras.flatMap((corners) => edges.flatMap(([a, b]) => [vector(corners[a]), vector(corners[b])]));
+  const points =
+      cameras.flatMap((corners) => edges.flatMap(([a, b]) => [vector(corners[a]), vector(corners[b])]));
   return new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points), material);
 }
 
+// The edges at which a surface bends.
+function creases(geometry) {
+  const material = new THREE.LineBasicMaterial({color: 0x222222, transparent: true, opacity: 0.45});
+  return new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), material);
+}
+
 // With the triangles' own colours where they are known; corners are not shared, which makes faces flat.
-function cadMesh(object) {
+function cadPart(object) {
   const {vertices, triangles, colours} = object.cad;
   const position = new Float32Array(triangles.length * 3), shade = new Float32Array(triangles.length * 3);
   triangles.forEach((vertex, corner) => {
@@ -60,8 +67,14 @@ function cadMesh(object) {
   geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
   geometry.setAttribute('color', new THREE.BufferAttribute(shade, 3));
   geometry.computeVertexNormals();
-  const value = colours.length ? '#ffffff' : categoryColour(object.category);
-  return new THREE.Mesh(geometry, surface(value, {vertexColors: THREE.VertexColors}));
+  const material = surface(
+      colours.length ? '#ffffff' : categoryColour(object.category),
+      {vertexColors: THREE.VertexColors, polygonOffset: true, polygonOffsetFactor: 1});
+  if (colours.length === 0)
+    material.color.lerp(new THREE.Color(0xd8d8d8), 0.45);  // calmer than the wireframe
+  const group = new THREE.Group();
+  group.add(new THREE.Mesh(geometry, material), creases(geometry));
+  return group;
 }
 
 function groupOf(items, make) {
@@ -87,10 +100,12 @@ function sceneLayers(scene) {
     'cameras': scene.cameras.length ? camerasPart(scene.cameras, 'var(--quiet)') : null,
     'estimated path': scene.path.length ? pathPart(scene.path, 'var(--path)') : null,
     'true path': scene.true_path.length ? pathPart(scene.true_path, 'var(--truth)') : null,
-    'wireframes': groupOf(scene.objects, (o) => rods(o.wireframe, 0.011, surface(categoryColour(o.category)))),
-    'CAD models': groupOf(scene.objects.filter((object) => object.cad.triangles.length), cadMesh),
+    'wireframes':
+        groupOf(scene.objects, (o) => rods(o.wireframe, 0.011, surface(categoryColour(o.category)))),
+    'CAD models': groupOf(scene.objects.filter((object) => object.cad.triangles.length), cadPart),
     'true boxes': groupOf(scene.objects, (object) => rods(object.true_box, 0.005, surface('var(--truth)'))),
   };
-  const empty = (part) => part === null || (part.isGroup && part.children.every((c) => c.isGroup && !c.children.length));
+  const empty = (part) =>
+      part === null || (part.isGroup && part.children.every((c) => c.isGroup && !c.children.length));
   return Object.fromEntries(Object.entries(layers).filter(([, part]) => !empty(part)));
 }

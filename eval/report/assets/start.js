@@ -3,6 +3,7 @@
 
 addThemeSwitch();
 followSections();
+unfoldForPrinting();
 makeTablesSortable();
 addGallery();
 for (const figure of document.querySelectorAll('[data-plot]')) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables are sorted by a column when its head is pressed: ascending, descending, as they were.
 
-const nextOrder = {none: 'ascending', ascending: 'descending', descending: 'none'};
+const nextOrder = {
+  none: 'ascending',
+  ascending: 'descending',
+  descending: 'none'
+};
 
 // A cell as a key: its number where it is one, null for a dash.
 function sortKey(cell) {
