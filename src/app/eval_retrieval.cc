@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/configuration.h"
+#include "app/help.h"
 #include "app/instance_libraries.h"
 #include "app/run_map.h"
 #include "eval/category_lookup.h"
@@ -112,6 +113,7 @@ void CheckArguments(const RetrievalTableArguments& arguments) {
 }  // namespace
 
 void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& a) {
+  BeginSection(command, "Retrieval");
   command
       .add_option(
           "--library", a.library,
