@@ -72,7 +72,7 @@ TEST(AppPresets, SettingsComeAfterFilesAfterThePreset) {
   EXPECT_EQ(options.association.rounds, 2);
 }
 
-TEST(AppInterrupt, AStoppedRunLeavesNothingBehind) {
+TEST(AppProgram, AStoppedRunLeavesNothingBehind) {
   const testing::TempFolder folder;
   WriteTinySequence(folder);
   ConfigurationArguments arguments;

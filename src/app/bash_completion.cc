@@ -43,7 +43,7 @@ _armature() {
     option=${word%%=*}
     word=${word#*=}
   elif [[ $word == -* ]]; then
-    _armature_answer "${_armature_options[$command]}" "$word"
+    _armature_answer "${_armature_options[$command ]}" "$word"
     return
   fi
   if [[ $option == -* && -n ${_armature_values[$command $option]} ]]; then
@@ -94,13 +94,13 @@ std::string ValueEntries(const CLI::App& command) {
 
 std::string BashCompletion(const CLI::App& program) {
   const std::vector<std::string> global = OptionNames(program);
-  std::string options = Entry("", fmt::format("{}", fmt::join(global, " "))), values;
+  std::string options = Entry(" ", fmt::format("{}", fmt::join(global, " "))), values;
   std::vector<std::string> commands;
   for (const CLI::App* command : program.get_subcommands({})) {
     commands.push_back(command->get_name());
     std::vector<std::string> names = OptionNames(*command);
     names.insert(names.end(), global.begin(), global.end());
-    options += Entry(command->get_name(), fmt::format("{}", fmt::join(names, " ")));
+    options += Entry(command->get_name() + " ", fmt::format("{}", fmt::join(names, " ")));
     values += ValueEntries(*command);
   }
   values += Entry(" ", fmt::format("{}", fmt::join(commands, " ")));

@@ -123,7 +123,7 @@ CommandHelp BenchHelp() {
                 {"OUT/raw.csv", "every row that was measured"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
                 {"OUT/*.svg", "plots, unless --no-plots"}},
-      .exit_status = {{"1", "also, with --against: a stage became slower"}},
+      .exit_status = {{"1", "with --against also: a stage became slower"}},
       .examples = {{"everything on one sequence",
                     "armature bench datasets/generated/seq1 --categories runs/generated/categories --out "
                     "runs/bench"},

@@ -82,8 +82,13 @@ void AddConfigurationArguments(CLI::App& command, ConfigurationArguments& argume
 Options LoadOptions(const ConfigurationArguments& arguments) {
   Options options;
   const std::vector<OptionEntry> table = OptionTable(options);
-  ApplyYaml(PresetFile(arguments), table);
-  if (!arguments.config.empty()) ApplyYaml(arguments.config, table);
+  const fs::path preset = PresetFile(arguments);
+  Detail("options from " + preset.string());
+  ApplyYaml(preset, table);
+  if (!arguments.config.empty()) {
+    Detail("then from " + arguments.config.string());
+    ApplyYaml(arguments.config, table);
+  }
   for (const std::string& setting : arguments.settings) ApplySetting(setting, table);
   CheckOptions(table);
   return options;
@@ -101,8 +106,10 @@ std::map<std::string, Options> LoadPresets(const ConfigurationArguments& argumen
 }
 
 std::vector<CategoryModel> LoadModels(const ConfigurationArguments& arguments) {
-  return LoadCategories(arguments.categories.empty() ? ConfigsFolder(arguments) / "categories"
-                                                     : arguments.categories);
+  const fs::path folder =
+      arguments.categories.empty() ? ConfigsFolder(arguments) / "categories" : arguments.categories;
+  Detail("category models from " + folder.string());
+  return LoadCategories(folder);
 }
 
 std::string ConfigurationText(const ConfigurationArguments& arguments, Options options) {

@@ -13,6 +13,7 @@
 #include "app/eval_output.h"
 #include "app/help.h"
 #include "app/printed_tables.h"
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
 
@@ -98,10 +99,14 @@ std::vector<Table> TablesOfRuns(const EvalArguments& arguments, TableFormat form
   const auto add = [&](std::vector<Table> more) {
     std::move(more.begin(), more.end(), std::back_inserter(tables));
   };
-  add(ObservationTables(arguments, runs));
-  add(TrajectoryTables(arguments, runs, format));
-  add(ObjectTables(arguments, runs));
-  add(RetrievalTables(arguments, runs));
+  const auto timed = [&](const char* what, const auto& make) {
+    const StepDetail step(what);
+    add(make());
+  };
+  timed("tables of single views", [&] { return ObservationTables(arguments, runs); });
+  timed("tables of trajectories", [&] { return TrajectoryTables(arguments, runs, format); });
+  timed("tables of objects", [&] { return ObjectTables(arguments, runs); });
+  timed("tables of retrieval", [&] { return RetrievalTables(arguments, runs); });
   if (!tables.empty() || IsAsked(kLibraryTableName, arguments)) return tables;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "

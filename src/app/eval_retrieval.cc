@@ -20,6 +20,7 @@
 #include "io/errors.h"
 #include "io/interrupt.h"
 #include "io/library_file.h"
+#include "io/progress.h"
 
 namespace armature {
 namespace {
@@ -98,9 +99,11 @@ bool IsNeeded(const std::string& variant, const std::vector<std::string>& tables
 
 void EvaluateVariants(const std::vector<RetrievalVariant>& variants, RetrievalEvaluation& evaluation,
                       EvaluatedQueries& evaluated) {
+  Progress progress("retrieval: variants", static_cast<long>(variants.size()));
   for (const RetrievalVariant& variant : variants) {
     ThrowIfInterrupted();
     evaluated.variants.push_back({variant, evaluation.Evaluate(variant.options)});
+    progress.Step();
   }
 }
 

@@ -42,7 +42,9 @@ std::string NameOf(const CLI::Option& option) {
 std::string MeaningOf(const CLI::Option& option) {
   std::string meaning = option.get_description();
   if (option.get_required() && !option.get_positional()) meaning += " (required)";
-  if (!option.get_default_str().empty()) meaning += fmt::format(" [{}]", option.get_default_str());
+  std::string initial = option.get_default_str();
+  if (initial.starts_with("[")) initial = initial.substr(1, initial.size() - 2);  // a list's own brackets
+  if (!initial.empty()) meaning += fmt::format(" [{}]", initial);
   return meaning;
 }
 
@@ -81,13 +83,24 @@ std::string UsageLine(const CLI::App& command) {
 
 std::string Examples(const std::vector<HelpExample>& examples) {
   std::string text = "\nExamples:\n";
-  for (const auto& [purpose, line] : examples) text += fmt::format("  # {}\n  {}\n", purpose, line);
+  for (const auto& [purpose, line] : examples) {
+    text += fmt::format("  # {}\n  ", purpose);
+    std::istringstream parts(Wrapped(line, kColumns - 6));  // with indent and " \\"
+    std::string part;
+    for (bool is_first = true; std::getline(parts, part); is_first = false)
+      text += (is_first ? "" : " \\\n    ") + part;
+    text += '\n';
+  }
   return text;
 }
 
 std::string CommandText(const CLI::App& command, const CommandHelp& help) {
   std::vector<HelpEntry> status = kExitStatus;
-  status.insert(status.end(), help.exit_status.begin(), help.exit_status.end());
+  for (const HelpEntry& own : help.exit_status) {
+    for (HelpEntry& common : status) {
+      if (common.name == own.name) common.meaning += "; " + own.meaning;
+    }
+  }
   std::string text = fmt::format("armature {}: {}\n\n", command.get_name(), command.get_description());
   text += UsageLine(command) + "\n" + Wrapped(help.description, kColumns) + OptionSections(command) +
           GlobalOptions(*command.get_parent()) + Section("Files written", help.files) +
@@ -148,7 +161,8 @@ CLI::Option& KnownValues(CLI::Option& option, const std::vector<std::string>& va
 std::string TypeOf(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));
+  const std::string name = type.substr(0, type.find(':'));
+  return name == "INT" || name == "UINT" || name == "FLOAT" ? "N" : name;
 }
 
 }  // namespace armature

@@ -31,7 +31,7 @@ struct HelpExample {
 struct CommandHelp {
   std::string description;             // wrapped when it is shown; an empty line between paragraphs
   std::vector<HelpEntry> files;        // that the command writes
-  std::vector<HelpEntry> exit_status;  // beyond what all commands have in common
+  std::vector<HelpEntry> exit_status;  // {"1", ...}: what it means beyond what is common to all commands
   std::vector<HelpExample> examples;   // at least one
 };
 

@@ -49,8 +49,8 @@ CommandHelp PhotoHelp() {
       .files = {{"OUT", "the picture, dimmed, with segments, boxes, wireframes and matched segments"}},
       .exit_status = {},
       .examples = {{"the first frame of a generated sequence",
-                    "armature photo datasets/generated/seq1/rgb/000000.jpg --camera 540,540,427.5,239.5 "
-                    "--box chair,520,180,140,210 --out runs/photo.png"}}};
+                    "armature photo datasets/generated/seq1/rgb/0000.jpg --camera 580,580,427.5,239.5 "
+                    "--box chair,364,175,163,253,57 --out runs/photo.png"}}};
 }
 
 }  // namespace
