@@ -198,7 +198,7 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
                  .map = map,
                  .pace = pace});
   overlays.Publish();
-  return {sequence.name, folder, writer.counts(), writer.statistics(), pace, map};
+  return {sequence.name, folder, settings.video, writer.counts(), writer.statistics(), pace, map};
 }
 
 }  // namespace armature

@@ -29,6 +29,7 @@ struct SequenceRunSettings {
 struct SequenceRunResult {
   std::string sequence;          // its name
   std::filesystem::path folder;  // of the run
+  std::filesystem::path video;   // empty: none
   RunCounts counts;
   StageStatistics statistics;
   FramePace pace;

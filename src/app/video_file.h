@@ -13,8 +13,9 @@ void CheckVideoName(const std::filesystem::path& file);
 
 class VideoFile {
  public:
-  // Writes aside, beside the file; creates the folders around it. `size`: of the frames; an odd last row or column is cut.
-  // Throws InputError: another ending, a folder that cannot be written, no encoder in this OpenCV.
+  // Writes aside, beside the file; creates the folders around it. `size`: of the frames; an odd last row or
+  // column is cut. Throws InputError: another ending, a folder that cannot be written, no encoder in this
+  // OpenCV.
   VideoFile(const std::filesystem::path& file, double fps, const cv::Size& size);
   // Removes what was written if it was not published.
   ~VideoFile();
