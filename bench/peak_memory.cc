@@ -62,7 +62,8 @@ void Send(int pipe, const void* bytes, size_t size) {
 
 ssize_t ReadSome(int pipe, std::array<char, 4096>& part, pid_t child) {
   constexpr int kBetweenLooks = 100;  // milliseconds
-  for (pollfd waiting{pipe, POLLIN, 0}; poll(&waiting, 1, kBetweenLooks) == 0;) {
+  pollfd waiting{pipe, POLLIN, 0};
+  while (poll(&waiting, 1, kBetweenLooks) <= 0) {
     if (InterruptSignal() != 0) kill(child, SIGKILL);
   }
   return read(pipe, part.data(), part.size());

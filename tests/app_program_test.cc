@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program as a whole: help, version, presets, being stopped.
+// The program as a whole: help, version, presets.
 #include <gtest/gtest.h>
 
-#include <csignal>
-
 #include "app/configuration.h"
-#include "app/sequence_run.h"
-#include "io/interrupt.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/program.h"
-#include "support/tiny_sequence.h"
+#include "support/temp_folder.h"
 
 namespace armature {
 namespace {
@@ -70,20 +66,6 @@ TEST(AppPresets, SettingsComeAfterFilesAfterThePreset) {
   EXPECT_EQ(options.association.cost, "printed");
   EXPECT_EQ(options.association.refined_hypotheses, 3);
   EXPECT_EQ(options.association.rounds, 2);
-}
-
-TEST(AppInterrupt, AStoppedRunLeavesNothingBehind) {
-  const testing::TempFolder folder;
-  WriteTinySequence(folder);
-  ConfigurationArguments arguments;
-  SequenceRunSettings settings;
-  settings.models = LoadModels(arguments);
-  const Sequence sequence = LoadSequence(folder.path(), CategoryNames(settings.models));
-  const std::set<std::string> before = testing::AllFiles(folder.path());
-  CatchInterrupts();
-  std::raise(SIGINT);
-  EXPECT_THROW(RunSequence(sequence, settings, folder / "run"), Interrupted);
-  EXPECT_EQ(testing::AllFiles(folder.path()), before);
 }
 
 }  // namespace

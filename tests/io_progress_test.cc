@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/progress.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
+
+#include "io/progress.h"
 
 namespace armature {
 namespace {
@@ -75,7 +75,7 @@ TEST(RemainingTime, FollowsASteadyPace) {
 
 TEST(RemainingTime, ForgetsSlowFirstSteps) {
   RemainingTime time;
-  for (int i = 1; i <= 10; ++i) time.Add(i, 10.0 * i);           // ten steps in 100 s
+  for (int i = 1; i <= 10; ++i) time.Add(i, 10.0 * i);       // ten steps in 100 s
   for (int i = 1; i <= 200; ++i) time.Add(10 + i, 100 + i);  // then one a second
   EXPECT_NEAR(*time.Seconds(310), 100, 2);
 }

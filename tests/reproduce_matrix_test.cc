@@ -126,8 +126,11 @@ TEST_F(ReproduceMatrix, SequencesOfOnesOwnTakeThePlaceOfAll) {
   EXPECT_TRUE(matrix.timings[1].sequences.empty()) << "it needs none";
   EXPECT_TRUE(matrix.retrieval.empty()) << "there are no CAD models";
   ExpectInputError([&] { ReplaceSequences({folder_ / "absent"}, matrix); }, {"absent", "sequence.yaml"});
-  ExpectInputError([&] { ReplaceSequences({folder_ / "mine/kitchen", folder_ / "other/kitchen"}, matrix); },
-                   {"other/kitchen", "name"});
+  ExpectInputError(
+      [&] {
+        ReplaceSequences({folder_ / "mine/kitchen", folder_ / "other/kitchen"}, matrix);
+      },
+      {"other/kitchen", "name"});
 }
 
 TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "datasets/cad/ply.h"
+#include "io/interrupt.h"
 #include "io/number_format.h"
 
 namespace armature {
@@ -55,6 +56,7 @@ void WriteCollection(const std::vector<CadInstance>& collection, const std::file
   std::string instances = "id,category,held_out,size_x,size_y,size_z,mesh\n";
   std::map<std::string, std::string> edges;  // by file
   for (const CadInstance& instance : collection) {
+    ThrowIfInterrupted();
     instances += InstanceRow(instance);
     edges[instance.category + (instance.held_out ? "_edges_held_out.csv" : "_edges.csv")] +=
         EdgeRows(instance);

@@ -9,6 +9,7 @@
 
 #include "datasets/render/noise.h"
 #include "datasets/render/sampling.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -66,6 +67,7 @@ class LightComputation {
   void ForAllPoints(Grids* grids, const LightAt& light_at) const {
 #pragma omp parallel for schedule(dynamic, 16)
     for (size_t i = 0; i < grid_rows_.size(); ++i) {
+      if (InterruptSignal() != 0) continue;
       const auto [q, row] = grid_rows_[i];
       const SurfaceQuad& quad = surfaces_.quads[q];
       LightGrid& grid = (*grids)[q];
@@ -76,6 +78,7 @@ class LightComputation {
         grid.light[index] = light_at(at, grid.light[index], &grid.hidden[index]);
       }
     }
+    ThrowIfInterrupted();
   }
 
   // What is reflected on average, over all reflections: a geometric series.

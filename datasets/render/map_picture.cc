@@ -9,6 +9,7 @@
 #include "datasets/render/map_shading.h"
 #include "datasets/render/map_view.h"
 #include "datasets/render/sampling.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -114,7 +115,10 @@ cv::Mat DrawMap(const MapScene& scene, const MapPictureOptions& options) {
   const MapPainter painter(scene, options);
   cv::Mat3b picture(options.height, options.width);
 #pragma omp parallel for schedule(dynamic)
-  for (int y = 0; y < options.height; ++y) painter.PaintRow(y, &picture);
+  for (int y = 0; y < options.height; ++y) {
+    if (InterruptSignal() == 0) painter.PaintRow(y, &picture);
+  }
+  ThrowIfInterrupted();
   if (options.labels) DrawMapLabels(scene, painter.view(), &picture);
   return picture;
 }

@@ -9,6 +9,7 @@
 #include "datasets/render/sampling.h"
 #include "datasets/render/surfaces.h"
 #include "datasets/render/texture_functions.h"
+#include "io/interrupt.h"
 
 namespace armature {
 namespace {
@@ -108,6 +109,7 @@ Picture Renderer::Render(const Camera& camera, const Eigen::Isometry3d& T_world_
   std::vector<RayHit> hits(directions.size());
   Picture picture{cv::Mat3f(camera.height, camera.width), cv::Mat1i(camera.height, camera.width)};
   for (int y = 0; y < camera.height; ++y) {
+    ThrowIfInterrupted();
     for (size_t i = 0; i < directions.size(); ++i) {
       const size_t column = i / samples;
       const Vector2d pixel =

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "eval/surface_distance.h"
+#include "io/interrupt.h"
 #include "io/mesh_file.h"
 
 namespace armature {
@@ -49,6 +50,7 @@ Eigen::Affine3d AlignedToAnnotations(const TriangleMesh& mesh, const Wireframe& 
 
 void AlignMeshes(const std::filesystem::path& folder, std::vector<CadModel>& models) {
   for (CadModel& model : models) {
+    ThrowIfInterrupted();
     if (model.geometry.empty() || model.T_annotation_geometry) continue;
     model.T_annotation_geometry =
         AlignedToAnnotations(ReadGeometry(folder / model.geometry), model.wireframe);

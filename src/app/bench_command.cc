@@ -10,6 +10,8 @@
 
 #include "app/bench_output.h"
 #include "app/bench_plan.h"
+#include "app/help.h"
+#include "app/printed_tables.h"
 #include "bench/guard/regression_guard.h"
 #include "bench/plots/gnuplot.h"
 #include "bench/plots/section_plots.h"
@@ -42,22 +44,23 @@ bool Guard(const BenchRecord& reference, const std::set<TableOfSequence>& measur
 
 // What is measured.
 void AddSubjects(CLI::App& bench, BenchArguments& a) {
+  BeginSection(bench, "What is measured");
   bench.add_option("SEQUENCE", a.sequences, "sequence folders; --tables micro,retrieval needs none")
       ->type_name("DIR");
-  bench
-      .add_option("--tables", a.tables,
-                  fmt::format("which tables: {} (default: all)", fmt::join(BenchTableNames(), ", ")))
-      ->type_name("NAME")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  bench
-      .add_option(
-          "--engines", a.engines,
-          "what is compared: lines, lines:PRESET, keypoints:published|wait|hourglass; ratios refer to "
-          "the first")
-      ->type_name("NAME")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  KnownValues(*bench.add_option("--tables", a.tables, "which tables (default: all)")
+                   ->type_name("NAME")
+                   ->delimiter(',')
+                   ->allow_extra_args(false),
+              BenchTableNames());
+  OfferValues(*bench
+                   .add_option("--engines", a.engines,
+                               "what is compared: lines, lines:PRESET, keypoints:published|wait|hourglass; "
+                               "ratios refer to the first")
+                   ->type_name("NAME")
+                   ->delimiter(',')
+                   ->allow_extra_args(false),
+              {"lines", "lines:default", "lines:fast", "lines:paper", "keypoints:published", "keypoints:wait",
+               "keypoints:hourglass"});
   bench
       .add_option("--micro", a.micro, "which micro-benchmarks or families of them, as hypothesis:chair (all)")
       ->type_name("NAME")
@@ -67,6 +70,7 @@ void AddSubjects(CLI::App& bench, BenchArguments& a) {
 
 // On how much, and how.
 void AddMeasuring(CLI::App& bench, BenchArguments& a) {
+  BeginSection(bench, "How much, and how");
   bench.add_option("--frames", a.frames, "only the first N images (0: all)")->type_name("N");
   bench.add_option("--warm-up", a.warm_up, "first frames that do not count")
       ->type_name("N")
@@ -95,6 +99,7 @@ void AddMeasuring(CLI::App& bench, BenchArguments& a) {
 
 // What becomes of it.
 void AddResults(CLI::App& bench, BenchArguments& a) {
+  BeginSection(bench, "Output");
   bench
       .add_option("--against", a.against,
                   "compare with this bench.json: status 1 when a stage became slower; what it was measured "
@@ -103,8 +108,29 @@ void AddResults(CLI::App& bench, BenchArguments& a) {
   bench.add_option("--out", a.out, "also write bench.json, raw.csv, the tables and plots to this folder")
       ->type_name("DIR");
   bench.add_flag("--no-plots", a.no_plots, "no plots in this folder; they need gnuplot");
-  bench.add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
-  bench.add_flag("--json", a.json, "the same as --format json");
+  AddFormatArguments(bench, a.format, a.json);
+}
+
+CommandHelp BenchHelp() {
+  return {
+      .description =
+          "Measures each stage of the pipeline and of its baselines on the same frames, next to what they "
+          "find, "
+          "so that no speed stands without its accuracy: images are loaded and warmed up before the clock "
+          "starts, contenders take turns frame by frame, and below each table stands what is inside each "
+          "span. Small functions, memory and retrieval have tables of their own.",
+      .files = {{"OUT/bench.json", "environment, settings, all tables and spans; for a later --against"},
+                {"OUT/raw.csv", "every row that was measured"},
+                {"OUT/tables.*", "the tables as txt, md, csv and tex"},
+                {"OUT/*.svg", "plots, unless --no-plots"}},
+      .exit_status = {{"1", "with --against also: a stage became slower"}},
+      .examples = {{"everything on one sequence",
+                    "armature bench datasets/generated/seq1 --categories runs/generated/categories --out "
+                    "runs/bench"},
+                   {"our pipeline against a keypoint network as published, few frames",
+                    "armature bench datasets/generated/seq1 --frames 30 --tables comparison --engines "
+                    "lines,lines:fast,keypoints:published"},
+                   {"small functions alone", "armature bench --tables micro --micro hypothesis"}}};
 }
 
 }  // namespace
@@ -134,6 +160,7 @@ void AddBenchCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<BenchArguments>();
   BenchArguments& a = *arguments;
   CLI::App* bench = app.add_subcommand("bench", "Measure how long the parts take, next to what they find");
+  Describe(*bench, BenchHelp());
   AddSubjects(*bench, a);
   AddMeasuring(*bench, a);
   AddResults(*bench, a);

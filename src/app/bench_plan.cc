@@ -16,6 +16,7 @@
 #include "bench/sections/pipelined_section.h"
 #include "eval/category_lookup.h"
 #include "io/errors.h"
+#include "io/progress.h"
 
 namespace armature {
 namespace {
@@ -159,16 +160,20 @@ BenchReport Measure(const BenchPlan& plan) {
   }
   cv::setNumThreads(plan.settings.threads);
   BenchReport report;
+  Progress progress("bench: tables", static_cast<long>(TablesOfSequences(plan).size()));
+  const auto add = [&](BenchSection section) {
+    report.sections.push_back(std::move(section));
+    progress.Step();
+  };
   for (const auto& [sequence, truth] : LoadImages(plan)) {
     for (const std::string& table : plan.tables) {
       if (!NeedsSequence(table)) continue;
-      report.sections.push_back(table == kMemoryTable
-                                    ? std::move(memory.at(sequence.name))
-                                    : MeasureSection(table, {sequence, truth, plan.parts, plan.settings}));
+      add(table == kMemoryTable ? std::move(memory.at(sequence.name))
+                                : MeasureSection(table, {sequence, truth, plan.parts, plan.settings}));
     }
   }
-  if (plan.Has(kMicroTable)) report.sections.push_back(MicroSection(plan.micro));
-  if (plan.Has(kRetrievalTable)) report.sections.push_back(RetrievalSection(plan.retrieval));
+  if (plan.Has(kMicroTable)) add(MicroSection(plan.micro));
+  if (plan.Has(kRetrievalTable)) add(RetrievalSection(plan.retrieval));
   return report;
 }
 

@@ -9,9 +9,11 @@
 
 #include "app/compare_benches.h"
 #include "app/compare_runs.h"
+#include "app/help.h"
 #include "app/printed_tables.h"
 #include "eval/compared_values.h"
 #include "eval/trajectory_alignment.h"
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/run_folder.h"
 #include "io/whole_file.h"
@@ -42,6 +44,24 @@ Comparison Compare(const CompareArguments& arguments) {
   return all;
 }
 
+CommandHelp CompareHelp() {
+  return {.description =
+              "Puts results side by side with the first of them, A: errors and times are paired by frame, "
+              "detection and "
+              "object where the inputs agree, and the median difference is given with its 95 % interval and "
+              "a mark where "
+              "that leaves out zero. Warns where a pairing says little: other data, another machine, other "
+              "models. Runs "
+              "without ground truth are compared with each other.",
+          .files = {{"RAW", "with --raw: a row a pair"}},
+          .exit_status = {},
+          .examples = {{"two ways of running the same sequences, paired",
+                        "armature compare results/latest/runs/objects results/latest/runs/fast --categories "
+                        "results/latest/categories"},
+                       {"two benchmarks, as Markdown",
+                        "armature compare runs/bench_a runs/bench_b --format markdown"}}};
+}
+
 }  // namespace
 
 int RunCompare(const CompareArguments& arguments) {
@@ -50,8 +70,7 @@ int RunCompare(const CompareArguments& arguments) {
   CheckKinds(arguments.results);
   const Comparison comparison = Compare(arguments);
   if (!arguments.raw.empty()) WriteWholeFile(arguments.raw, RawPairColumns() + comparison.raw);
-  for (const std::string& warning : comparison.warnings)
-    fmt::print(stderr, "armature: warning: {}\n", warning);
+  for (const std::string& warning : comparison.warnings) Note("warning: " + warning);
   fmt::print("{}", FormatTables(comparison.tables, format));
   return 0;
 }
@@ -61,6 +80,8 @@ void AddCompareCommand(CLI::App& app, int& exit_status) {
   CompareArguments& a = *arguments;
   CLI::App* compare =
       app.add_subcommand("compare", "Compare runs, or benchmarks, with the first of them: pair by pair");
+  Describe(*compare, CompareHelp());
+  BeginSection(*compare, "What is compared");
   compare
       ->add_option("RESULT", a.results,
                    "run folders or folders of run folders, or all folders of 'armature bench --out'")
@@ -70,16 +91,16 @@ void AddCompareCommand(CLI::App& app, int& exit_status) {
       ->add_option("--groundtruth", a.ground_truth,
                    "sequence folders with ground truth, or folders of such (default: where the run says)")
       ->type_name("DIR");
-  compare
-      ->add_option("--alignment", a.alignment,
-                   fmt::format("how cameras and objects are brought to the truth, or B to A without one: {}",
-                               fmt::join(AlignmentNames(), ", ")))
-      ->type_name("NAME")
-      ->capture_default_str();
-  compare->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
-  compare->add_flag("--json", a.json, "the same as --format json");
-  compare->add_option("--raw", a.raw, "also write a row a pair to this file (CSV)")->type_name("FILE");
+  KnownValues(*compare
+                   ->add_option("--alignment", a.alignment,
+                                "how cameras and objects are brought to the truth, or B to A without one")
+                   ->type_name("NAME")
+                   ->capture_default_str(),
+              AlignmentNames());
   AddCategoriesArguments(*compare, a.configuration);
+  BeginSection(*compare, "Output");
+  AddFormatArguments(*compare, a.format, a.json);
+  compare->add_option("--raw", a.raw, "also write a row a pair to this file (CSV)")->type_name("FILE");
   compare->callback([arguments, &exit_status] { exit_status = RunCompare(*arguments); });
 }
 

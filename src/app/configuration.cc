@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "app/data_folders.h"
+#include "app/help.h"
+#include "app/option_settings.h"
 #include "io/category_yaml.h"
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
 #include "io/options_yaml.h"
@@ -41,6 +44,11 @@ fs::path PresetFile(const ConfigurationArguments& arguments) {
   return folder / (arguments.preset + ".yaml");
 }
 
+std::vector<std::string> OptionKeys() {
+  Options options;
+  return Keys(OptionTable(options));
+}
+
 std::string OptionsHelp() {
   Options options;
   return "Options (key, default, meaning), for --set key=value or as nested maps for --config:\n" +
@@ -50,15 +58,14 @@ std::string OptionsHelp() {
 }  // namespace
 
 void AddConfigurationArguments(CLI::App& command, ConfigurationArguments& arguments) {
-  command
-      .add_option("--preset", arguments.preset, "start from CONFIGS/presets/NAME.yaml: default, paper, fast")
-      ->type_name("NAME")
-      ->capture_default_str();
+  BeginSection(command, "Configuration");
+  KnownValues(*command.add_option("--preset", arguments.preset, "start from CONFIGS/presets/NAME.yaml")
+                   ->type_name("NAME"),
+              PresetNames(ConfigsFolder({}) / "presets"))
+      .capture_default_str();
   command.add_option("--config", arguments.config, "then from a file of your own; it may be partial")
       ->type_name("FILE");
-  command.add_option("--set", arguments.settings, "then set one option; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  AddSettings(command, arguments.settings, OptionKeys());
   command.add_option("--categories", arguments.categories, "folder of category models (CONFIGS/categories)")
       ->type_name("DIR");
   command.add_option("--configs", arguments.configs, "CONFIGS: folder of presets and categories")
@@ -69,8 +76,13 @@ void AddConfigurationArguments(CLI::App& command, ConfigurationArguments& argume
 Options LoadOptions(const ConfigurationArguments& arguments) {
   Options options;
   const std::vector<OptionEntry> table = OptionTable(options);
-  ApplyYaml(PresetFile(arguments), table);
-  if (!arguments.config.empty()) ApplyYaml(arguments.config, table);
+  const fs::path preset = PresetFile(arguments);
+  Detail("options from " + preset.string());
+  ApplyYaml(preset, table);
+  if (!arguments.config.empty()) {
+    Detail("then from " + arguments.config.string());
+    ApplyYaml(arguments.config, table);
+  }
   for (const std::string& setting : arguments.settings) ApplySetting(setting, table);
   CheckOptions(table);
   return options;
@@ -88,8 +100,10 @@ std::map<std::string, Options> LoadPresets(const ConfigurationArguments& argumen
 }
 
 std::vector<CategoryModel> LoadModels(const ConfigurationArguments& arguments) {
-  return LoadCategories(arguments.categories.empty() ? ConfigsFolder(arguments.configs) / "categories"
-                                                     : arguments.categories);
+  const fs::path folder =
+      arguments.categories.empty() ? ConfigsFolder(arguments.configs) / "categories" : arguments.categories;
+  Detail("category models from " + folder.string());
+  return LoadCategories(folder);
 }
 
 std::string ConfigurationText(const ConfigurationArguments& arguments, Options options) {

@@ -11,7 +11,9 @@
 
 #include "app/eval_inputs.h"
 #include "app/eval_output.h"
+#include "app/help.h"
 #include "app/printed_tables.h"
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/nearest_name.h"
 
@@ -150,6 +152,29 @@ void KeepRawRows(const fs::path& folder, EvalArguments& a) {
   keep(a.objects.raw, "objects.csv");
 }
 
+CommandHelp EvalHelp() {
+  return {
+      .description =
+          "Compares finished runs with the ground truth of their sequences, which no other command reads, "
+          "and "
+          "prints tables: single views, matched edges, trajectories, objects of the map beside the paper's "
+          "numbers and, with a library, retrieved CAD models. What each number is stands below its table. "
+          "Single trajectory files (TUM, KITTI, EuRoC) can be compared, too.",
+      .files = {{"OUT/eval.json", "all tables and where they are from"},
+                {"OUT/tables.*", "the tables as txt, md, csv and tex"},
+                {"OUT/*.csv", "all raw rows: trajectories, detections, objects and, if asked for, edges"}},
+      .exit_status = {},
+      .examples = {
+          {"all tables of three runs",
+           "armature eval runs/generated/run --categories runs/generated/categories --out runs/eval"},
+          {"how well CAD models are retrieved, as Markdown",
+           "armature eval runs/generated/run --categories runs/generated/categories --library "
+           "runs/generated/instances.armlib --tables retrieval --format markdown"},
+          {"one trajectory, rigidly aligned",
+           "armature eval runs/generated/run/seq1/trajectory.txt --groundtruth "
+           "datasets/generated/seq1/groundtruth.txt --alignment se3"}}};
+}
+
 }  // namespace
 
 std::vector<Table> TablesOfRuns(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
@@ -158,10 +183,14 @@ std::vector<Table> TablesOfRuns(const EvalArguments& arguments, const std::vecto
   const auto add = [&](std::vector<Table> more) {
     std::move(more.begin(), more.end(), std::back_inserter(tables));
   };
-  add(ObservationTables(arguments, runs));
-  add(TrajectoryTables(arguments, runs, format));
-  add(ObjectTables(arguments, runs));
-  add(RetrievalTables(arguments, runs));
+  const auto timed = [&](const char* what, const auto& make) {
+    const StepDetail step(what);
+    add(make());
+  };
+  timed("tables of single views", [&] { return ObservationTables(arguments, runs); });
+  timed("tables of trajectories", [&] { return TrajectoryTables(arguments, runs, format); });
+  timed("tables of objects", [&] { return ObjectTables(arguments, runs); });
+  timed("tables of retrieval", [&] { return RetrievalTables(arguments, runs); });
   return tables;
 }
 
@@ -183,6 +212,8 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<EvalArguments>();
   EvalArguments& a = *arguments;
   CLI::App* eval = app.add_subcommand("eval", "Compare runs with the ground truth of their sequences");
+  Describe(*eval, EvalHelp());
+  BeginSection(*eval, "Input");
   eval->add_option("RUN", a.runs,
                    "run folders, or folders of run folders; or trajectory files; none: "
                    "--library alone")
@@ -191,16 +222,15 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
                    "sequence folders with ground truth, or folders of such (default: where the run says); "
                    "for trajectory files: the true one")
       ->type_name("PATH");
-  eval->add_option("--tables", a.tables,
-                   fmt::format("which tables: {} (default: all that there is truth for)",
-                               fmt::join(kTableNames, ", ")))
-      ->type_name("NAME")
-      ->delimiter(',');
-  AddObservationArguments(*eval, a.observations);
-  eval->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
-  eval->add_flag("--json", a.json, "the same as --format json");
+  BeginSection(*eval, "Output");
+  KnownValues(*eval->add_option("--tables", a.tables, "which tables (default: all that there is truth for)")
+                   ->type_name("NAME")
+                   ->delimiter(','),
+              kTableNames);
+  AddFormatArguments(*eval, a.format, a.json);
   eval->add_option("--out", a.out, "also write eval.json, the tables and all raw rows to this folder")
       ->type_name("DIR");
+  AddObservationArguments(*eval, a.observations);
   AddTrajectoryArguments(*eval, a.trajectories);
   AddObjectArguments(*eval, a.objects);
   AddRetrievalTableArguments(*eval, a.retrieval);

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/data_folders.h"
+#include "app/help.h"
 #include "eval/category_lookup.h"
 #include "eval/evaluation_tables.h"
 #include "eval/normal_term_table.h"
@@ -91,12 +92,14 @@ void WriteRawObjects(const fs::path& file, const std::vector<SequenceObjects>& s
 }  // namespace
 
 void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
-  command
-      .add_option(
-          "--object-alignment", a.alignment,
-          "how maps are brought to the truth before objects are compared: one of those of --alignment")
-      ->type_name("NAME")
-      ->capture_default_str();
+  BeginSection(command, "Objects");
+  OfferValues(*command
+                   .add_option("--object-alignment", a.alignment,
+                               "how maps are brought to the truth before objects are compared: one of those "
+                               "of --alignment")
+                   ->type_name("NAME"),
+              AlignmentNames())
+      .capture_default_str();
   command
       .add_option("--gate", a.gate_m, "metres between an object and the true one it is matched to, at most")
       ->capture_default_str();

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "app/help.h"
 #include "eval/category_lookup.h"
 #include "eval/edge_tables.h"
 #include "eval/evaluation_tables.h"
@@ -64,6 +65,7 @@ std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vecto
 }  // namespace
 
 void AddObservationArguments(CLI::App& command, ObservationArguments& a) {
+  BeginSection(command, "Single views");
   command
       .add_option("--cad", a.cad,
                   "folder of annotated CAD models, to judge matches of sequences without edges_gt.csv")

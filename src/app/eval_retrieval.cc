@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/configuration.h"
+#include "app/help.h"
 #include "app/instance_libraries.h"
 #include "app/run_map.h"
 #include "eval/category_lookup.h"
@@ -19,6 +20,7 @@
 #include "io/errors.h"
 #include "io/interrupt.h"
 #include "io/library_file.h"
+#include "io/progress.h"
 
 namespace armature {
 namespace {
@@ -97,9 +99,11 @@ bool IsNeeded(const std::string& variant, const std::vector<std::string>& tables
 
 void EvaluateVariants(const std::vector<RetrievalVariant>& variants, RetrievalEvaluation& evaluation,
                       EvaluatedQueries& evaluated) {
+  Progress progress("retrieval: variants", static_cast<long>(variants.size()));
   for (const RetrievalVariant& variant : variants) {
     ThrowIfInterrupted();
     evaluated.variants.push_back({variant, evaluation.Evaluate(variant.options)});
+    progress.Step();
   }
 }
 
@@ -112,6 +116,7 @@ void CheckArguments(const RetrievalTableArguments& arguments) {
 }  // namespace
 
 void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& a) {
+  BeginSection(command, "Retrieval");
   command
       .add_option(
           "--library", a.library,

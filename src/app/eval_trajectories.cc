@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "app/help.h"
 #include "eval/evaluation_tables.h"
 #include "eval/ground_truth.h"
 #include "eval/trajectory_tables.h"
@@ -123,13 +124,14 @@ std::vector<Table> Finished(const std::map<std::string, std::vector<NamedTraject
 }  // namespace
 
 void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& a) {
-  command
-      .add_option("--alignment", a.alignments,
-                  fmt::format("how trajectories are brought to the truth, a row each: {}",
-                              fmt::join(AlignmentNames(), ", ")))
-      ->type_name("NAME")
-      ->delimiter(',')
-      ->capture_default_str();
+  BeginSection(command, "Trajectories");
+  KnownValues(
+      *command
+           .add_option("--alignment", a.alignments, "how trajectories are brought to the truth, a row each")
+           ->type_name("NAME")
+           ->delimiter(','),
+      AlignmentNames())
+      .capture_default_str();
   command.add_option("--first-n", a.first_n, "pairs that the alignment first_n looks at")
       ->capture_default_str();
   command.add_option("--tolerance", a.tolerance, "seconds between the stamps of a pair of poses, at most")
@@ -138,8 +140,9 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& a) {
       .add_option("--rpe-delta", a.delta,
                   "distance of the poses of the relative error: 10f (poses), 1s, 0.5m")
       ->capture_default_str();
-  command.add_option("--trajectory-format", a.format, "of trajectory files: auto, tum, kitti or euroc")
-      ->capture_default_str();
+  KnownValues(*command.add_option("--trajectory-format", a.format, "of trajectory files")->type_name("NAME"),
+              {"auto", "tum", "kitti", "euroc"})
+      .capture_default_str();
   command.add_option("--stamps", a.stamps, "stamps of trajectory files in the KITTI format, one a line")
       ->type_name("FILE");
   command.add_option("--fps", a.fps, "poses a second of KITTI files without stamps")->capture_default_str();

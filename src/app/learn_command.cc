@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "app/help.h"
 #include "app/instance_libraries.h"
 #include "app/learn_report.h"
 #include "app/training_models.h"
@@ -77,6 +78,24 @@ ComparisonReport Compared(const TrainingSpec& spec, const CategoryModel& model,
           others.read};
 }
 
+CommandHelp LearnHelp() {
+  return {
+      .description =
+          "Learns what the objects of a category look like: the mean of its edges, their main modes of "
+          "deformation and a dictionary of typical shapes, from CAD models whose edges are annotated in a "
+          "table (a row an edge, or keypoints), or from one of our own families of furniture. A new category "
+          "needs its specification (YAML) and annotations, no code.",
+      .files = {{"OUT", "the category model, YAML; name its folder with --categories"},
+                {"LIBRARY", "the CAD models with their coefficients, for retrieval"}},
+      .exit_status = {},
+      .examples = {
+          {"chairs from the generated CAD models",
+           "armature learn --spec configs/categories/specs/chair.yaml --annotations "
+           "datasets/generated/cad/chair_edges.csv --metric --out runs/categories/chair.yaml"},
+          {"how well held-out tables of a family are reconstructed, nothing written",
+           "armature learn --spec configs/categories/specs/table.yaml --family table --held-out 5"}}};
+}
+
 }  // namespace
 
 int RunLearn(const LearnArguments& arguments) {
@@ -118,19 +137,28 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
   LearnArguments& a = *arguments;
   CLI::App* learn =
       app.add_subcommand("learn", "Learn a category model from annotated CAD models or a family");
-  learn->add_option("--spec", a.spec, "category specification (configs/categories/specs)")->required();
-  learn->add_option("--annotations", a.annotations.file, "table of annotated models");
-  learn
-      ->add_option("--format", a.annotations.format,
-                   fmt::format("format of the annotations: {}", fmt::join(AnnotationFormats(), ", ")))
-      ->capture_default_str();
+  Describe(*learn, LearnHelp());
+  BeginSection(*learn, "Input");
+  learn->add_option("--spec", a.spec, "category specification (configs/categories/specs)")
+      ->required()
+      ->type_name("FILE");
+  learn->add_option("--annotations", a.annotations.file, "table of annotated models")->type_name("FILE");
+  KnownValues(*learn->add_option("--format", a.annotations.format, "of the annotations")->type_name("NAME"),
+              AnnotationFormats())
+      .capture_default_str();
   learn->add_flag("--metric", a.annotations.metric,
                   "the annotations are in metres: keep their sizes instead of scaling each model to the "
                   "category's reference");
-  learn->add_option("--family", a.family, "learn from our own family instead: chair, table or laptop");
-  learn->add_option("--count", a.count, "models drawn from the family")->capture_default_str();
-  learn->add_option("--seed", a.seed, "seed of the family")->capture_default_str();
-  learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)");
+  const std::vector<std::string> families = {"chair", "table", "laptop"};
+  KnownValues(
+      *learn->add_option("--family", a.family, "learn from our own family instead")->type_name("NAME"),
+      families);
+  learn->add_option("--count", a.count, "models drawn from the family")
+      ->type_name("N")
+      ->capture_default_str();
+  learn->add_option("--seed", a.seed, "seed of the family")->type_name("N")->capture_default_str();
+  BeginSection(*learn, "Model");
+  learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)")->type_name("N");
   learn
       ->add_option("--padding", a.padding,
                    "how far the models reach beyond their edges, both sides along each axis, metres")
@@ -142,18 +170,32 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
                    "how far below the edges of a top or seat its near sides are seen, metres")
       ->check(CLI::NonNegativeNumber)
       ->type_name("METRES");
-  learn->add_option("--held-out", a.held_out,
-                    "also leave out every N-th model and report how well it is reconstructed");
-  learn->add_option("--compare", a.compare.file,
-                    "also show another table of annotated models, scaled to the category's reference, in the "
-                    "learnt modes");
-  learn->add_option("--compare-format", a.compare.format, "its format")->capture_default_str();
-  learn->add_option("--compare-family", a.compare_family, "the same with a family of ours (--count, --seed)");
   learn->add_option("--source", a.source, "what the models are and their licence, written into the model");
-  learn->add_option("--out", a.out, "model file to write");
-  learn->add_option(
-      "--library", a.library,
-      "also write a library of the CAD models in the annotations' folder, for `armature retrieve`");
+  BeginSection(*learn, "Judging it");
+  learn
+      ->add_option("--held-out", a.held_out,
+                   "also leave out every N-th model and report how well it is reconstructed")
+      ->type_name("N");
+  learn
+      ->add_option("--compare", a.compare.file,
+                   "also show another table of annotated models, scaled to the category's reference, in the "
+                   "learnt modes")
+      ->type_name("FILE");
+  OfferValues(*learn->add_option("--compare-format", a.compare.format, "its format")->type_name("NAME"),
+              AnnotationFormats())
+      .capture_default_str();
+  OfferValues(*learn
+                   ->add_option("--compare-family", a.compare_family,
+                                "the same with a family of ours (--count, --seed)")
+                   ->type_name("NAME"),
+              families);
+  BeginSection(*learn, "Output");
+  learn->add_option("--out", a.out, "model file to write")->type_name("FILE");
+  learn
+      ->add_option(
+          "--library", a.library,
+          "also write a library of the CAD models in the annotations' folder, for `armature retrieve`")
+      ->type_name("FILE");
   learn->add_flag("--json", a.json, "print JSON instead of tables");
   learn->callback([arguments, &exit_status] { exit_status = RunLearn(*arguments); });
 }

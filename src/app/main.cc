@@ -10,18 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/bench_command.h"
-#include "app/compare_command.h"
-#include "app/eval_command.h"
-#include "app/generate_command.h"
-#include "app/learn_command.h"
-#include "app/photo_command.h"
-#include "app/posegraph_command.h"
-#include "app/reproduce/reproduce_command.h"
-#include "app/report_command.h"
-#include "app/retrieve_command.h"
-#include "app/run_command.h"
-#include "io/build_info.h"
+#include "app/commands.h"
 #include "io/console.h"
 #include "io/errors.h"
 #include "io/interrupt.h"
@@ -44,21 +33,17 @@ int ReportFailure(const std::exception& error) {
   return Report(fmt::format("interrupted: {}", error.what()), ExitStatusOf(InterruptSignal()));
 }
 
-std::string VersionText() {
-  const BuildInfo build = GetBuildInfo();
-  return fmt::format("armature {} ({}{})", build.version, build.git_commit,
-                     build.git_dirty ? ", modified" : "");
-}
-
 // "armature rnu ...": the command that was probably meant.
 std::optional<std::string> UnknownCommand(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front().starts_with("-")) return std::nullopt;
+  const auto named = std::find_if(arguments.begin(), arguments.end(),
+                                  [](const std::string& argument) { return !argument.starts_with("-"); });
+  if (named == arguments.end()) return std::nullopt;
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     known.push_back(command->get_name());
   }
-  if (std::find(known.begin(), known.end(), arguments.front()) != known.end()) return std::nullopt;
-  return UnknownNameMessage("command", arguments.front(), known);
+  if (std::find(known.begin(), known.end(), *named) != known.end()) return std::nullopt;
+  return UnknownNameMessage("command", *named, known);
 }
 
 // Help and version are exceptions too, with status 0.
@@ -76,20 +61,8 @@ int Main(int argc, char** argv) {
   CatchInterrupts();
   CLI::App app("Armature finds furniture in monocular video from line segments and puts it in the map.",
                "armature");
-  app.set_version_flag("--version", VersionText());
-  app.require_subcommand(1);
   int exit_status = 0;
-  AddRunCommand(app, exit_status);
-  AddPhotoCommand(app, exit_status);
-  AddEvalCommand(app, exit_status);
-  AddCompareCommand(app, exit_status);
-  AddBenchCommand(app, exit_status);
-  AddReproduceCommand(app, exit_status);
-  AddLearnCommand(app, exit_status);
-  AddRetrieveCommand(app, exit_status);
-  AddReportCommand(app, exit_status);
-  AddGenerateCommand(app, exit_status);
-  AddPoseGraphCommand(app, exit_status);
+  AddCommands(app, exit_status);
   try {
     app.parse(argc, argv);
     return exit_status;

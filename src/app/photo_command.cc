@@ -6,6 +6,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
+#include "app/help.h"
 #include "app/photo_arguments.h"
 #include "app/photo_report.h"
 #include "io/errors.h"
@@ -39,6 +40,19 @@ FrameResult Process(const cv::Mat& image, const std::vector<Detection>& detectio
   return pipeline.Process(gray, input);
 }
 
+CommandHelp PhotoHelp() {
+  return {
+      .description =
+          "Finds pose and shape of the objects whose boxes are given, in one picture of a camera of known "
+          "intrinsics, and draws what was found. Distances come from the metric size of furniture, so "
+          "they are as good as the object is usual.",
+      .files = {{"OUT", "the picture, dimmed, with segments, boxes, wireframes and matched segments"}},
+      .exit_status = {},
+      .examples = {{"the first frame of a generated sequence",
+                    "armature photo datasets/generated/seq1/rgb/0000.jpg --camera 580,580,427.5,239.5 "
+                    "--box chair,364,175,163,253,57 --out runs/photo.png"}}};
+}
+
 }  // namespace
 
 int RunPhoto(const PhotoArguments& arguments) {
@@ -66,6 +80,8 @@ void AddPhotoCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<PhotoArguments>();
   PhotoArguments& a = *arguments;
   CLI::App* photo = app.add_subcommand("photo", "Find and place the objects of one photograph");
+  Describe(*photo, PhotoHelp());
+  BeginSection(*photo, "Input");
   photo->add_option("IMAGE", a.image, "photograph")->required()->type_name("FILE");
   photo->add_option("--camera", a.camera, "intrinsics, pixels")->required()->type_name("fx,fy,cx,cy");
   photo->add_option("--distortion", a.distortion, "of the lens, as OpenCV")->type_name("k1,k2,p1,p2,k3");
@@ -81,9 +97,10 @@ void AddPhotoCommand(CLI::App& app, int& exit_status) {
       ->add_option("--up", a.up,
                    "up direction in the camera frame, 0,-1,0 for a level camera (else estimated)")
       ->type_name("x,y,z");
+  BeginSection(*photo, "Output");
   photo->add_option("--out", a.out, "picture to write: .png or .jpg")->required()->type_name("FILE");
-  AddConfigurationArguments(*photo, a.configuration);
   photo->add_flag("--json", a.json, "print JSON instead of a table");
+  AddConfigurationArguments(*photo, a.configuration);
   photo->callback([arguments, &exit_status] { exit_status = RunPhoto(*arguments); });
 }
 

@@ -61,8 +61,9 @@ PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::pa
 }
 
 void WriteScene(const MapScene& scene, const std::filesystem::path& run) {
+  const cv::Mat picture = DrawMap(scene);  // takes seconds, and may be interrupted
   WritePly(SceneMesh(scene), run / "map.ply");
-  WritePicture(run / "map.png", DrawMap(scene));
+  WritePicture(run / "map.png", picture);
 }
 
 }  // namespace armature

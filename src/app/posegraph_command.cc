@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/help.h"
 #include "io/errors.h"
 #include "io/g2o.h"
 #include "io/interrupt.h"
@@ -86,6 +87,18 @@ std::string ReportJson(const PoseGraphReport& report) {
   return json.dump(2) + "\n";
 }
 
+CommandHelp PoseGraphHelp() {
+  return {
+      .description =
+          "Optimises the poses of a graph of relative measurements, in SE(3) with the file's information "
+          "matrices, from a start of its own choice, and writes the graph with the poses that were found.",
+      .files = {{"OUT", "the graph, its vertices optimised; edges as they were"}},
+      .exit_status = {},
+      .examples = {
+          {"a graph of your own, from the best start", "armature posegraph graph.g2o --out optimised.g2o"},
+          {"from chained odometry", "armature posegraph graph.g2o --out optimised.g2o --init odometry"}}};
+}
+
 }  // namespace
 
 int RunPoseGraph(const PoseGraphArguments& arguments) {
@@ -112,19 +125,26 @@ void AddPoseGraphCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<PoseGraphArguments>();
   PoseGraphArguments& a = *arguments;
   CLI::App* command = app.add_subcommand("posegraph", "Optimise a pose graph in g2o's format");
+  Describe(*command, PoseGraphHelp());
+  BeginSection(*command, "Input");
   command->add_option("GRAPH", a.graph, "g2o file: VERTEX_SE3:QUAT, EDGE_SE3:QUAT, FIX")
       ->required()
       ->type_name("FILE");
+  BeginSection(*command, "Output");
   command->add_option("--out", a.out, "g2o file to write")->required()->type_name("FILE");
-  command
-      ->add_option(
-          "--init", a.init,
-          "start: the file's poses, odometry (edges chained), chordal (rotations, then positions, by "
-          "linear least squares); auto: the file's, or chordal where those are poor")
-      ->type_name("auto|file|odometry|chordal")
-      ->capture_default_str();
-  command->add_option("--max-iterations", a.max_iterations, "of the optimiser")->capture_default_str();
   command->add_flag("--json", a.json, "print JSON instead of a table");
+  BeginSection(*command, "Optimisation");
+  OfferValues(*command
+                   ->add_option("--init", a.init,
+                                "start: the file's poses, odometry (edges chained), chordal (rotations, then "
+                                "positions, by linear least squares); auto: the file's, or chordal where "
+                                "those are poor")
+                   ->type_name("auto|file|odometry|chordal"),
+              {"auto", "file", "odometry", "chordal"})
+      .capture_default_str();
+  command->add_option("--max-iterations", a.max_iterations, "of the optimiser")
+      ->type_name("N")
+      ->capture_default_str();
   command->callback([arguments, &exit_status] { exit_status = RunPoseGraph(*arguments); });
 }
 

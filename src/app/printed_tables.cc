@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/help.h"
 #include "io/whole_file.h"
 
 namespace armature {
@@ -30,7 +31,15 @@ void WriteTableFiles(const std::filesystem::path& folder,
   WriteWholeFile(folder / "tables.tex", text(TableFormat::kLatex));
 }
 
+void AddFormatArguments(CLI::App& command, std::string& format, bool& json) {
+  KnownValues(*command.add_option("--format", format, "how tables are printed")->type_name("NAME"),
+              TableFormatNames())
+      .capture_default_str();
+  command.add_flag("--json", json, "the same as --format json");
+}
+
 void AddCategoriesArguments(CLI::App& command, ConfigurationArguments& arguments) {
+  BeginSection(command, "Configuration");
   command.add_option("--categories", arguments.categories, "folder of category models (CONFIGS/categories)")
       ->type_name("DIR");
   command.add_option("--configs", arguments.configs, "CONFIGS: folder of presets and categories")

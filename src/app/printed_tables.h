@@ -21,6 +21,9 @@ std::string FormatTables(const std::vector<Table>& tables, TableFormat format);
 void WriteTableFiles(const std::filesystem::path& folder,
                      const std::function<std::string(TableFormat)>& text);
 
+// --format and --json.
+void AddFormatArguments(CLI::App& command, std::string& format, bool& json);
+
 // --categories and --configs alone, for commands that read categories but have no options of a run.
 void AddCategoriesArguments(CLI::App& command, ConfigurationArguments& arguments);
 

@@ -10,12 +10,13 @@
 
 #include "app/eval_command.h"
 #include "app/eval_inputs.h"
-#include "io/interrupt.h"
 #include "app/printed_tables.h"
 #include "eval/evaluation_tables.h"
 #include "eval/report/report_page.h"
 #include "eval/report/table_json.h"
+#include "io/console.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/library_file.h"
 #include "io/run_folder.h"
 #include "io/whole_file.h"
@@ -86,10 +87,30 @@ int RunReport(const ReportArguments& arguments) {
   ThrowIfInterrupted();
   const std::string page = ReportPage(data);
   WriteWholeFile(arguments.out, page);
-  for (const std::string& remark : data.remarks) fmt::print(stderr, "armature: {}\n", remark);
+  for (const std::string& remark : data.remarks) Note(remark);
   fmt::print("{}: the report, {:.1f} MB, opens in any browser without a network\n", arguments.out.string(),
              static_cast<double>(page.size()) / 1e6);
   return 0;
+}
+
+CommandHelp ReportHelp() {
+  return {
+      .description =
+          "Shows runs, what they were evaluated and timed with, and how, as one HTML page that needs no "
+          "network: "
+          "figures beside the paper's, sortable tables, maps from above, a map in 3D to be turned with the "
+          "mouse, "
+          "frames with their associated edges, retrieved CAD models, and the environment. What is absent (no "
+          "truth, no retrieval, no benchmark) is left out and said.",
+      .files = {{"OUT", "the page: one file, pictures and scripts in it"}},
+      .exit_status = {},
+      .examples = {
+          {"runs of your own",
+           "armature report runs/generated/run --categories runs/generated/categories --out report.html"},
+          {"with retrieval and times that were measured before",
+           "armature report results/latest/runs/objects --eval results/latest/evaluation/accuracy --eval "
+           "results/latest/evaluation/retrieval --bench results/latest/timings/comparison --library "
+           "results/latest/library.armlib --categories results/latest/categories --out report.html"}}};
 }
 
 void AddReportCommand(CLI::App& app, int& exit_status) {
@@ -97,13 +118,14 @@ void AddReportCommand(CLI::App& app, int& exit_status) {
   ReportArguments& a = *arguments;
   CLI::App* report =
       app.add_subcommand("report", "Show runs, their evaluation and benchmarks as one HTML page");
+  Describe(*report, ReportHelp());
+  BeginSection(*report, "What is shown");
   report
       ->add_option("RUN", a.runs,
                    "run folders, or folders of run folders; the first run of each sequence is shown in "
                    "pictures")
       ->required()
       ->type_name("PATH");
-  report->add_option("--out", a.out, "the page to be written")->required()->type_name("FILE.html");
   report
       ->add_option("--eval", a.evaluations,
                    "folders of `armature eval --out` on these runs (default: they are evaluated now, without "
@@ -123,8 +145,10 @@ void AddReportCommand(CLI::App& app, int& exit_status) {
       ->add_option("--groundtruth", a.ground_truth,
                    "sequence folders with ground truth, or folders of such (default: where the run says)")
       ->type_name("PATH");
-  report->add_option("--title", a.title, "of the page")->capture_default_str();
   AddCategoriesArguments(*report, a.configuration);
+  BeginSection(*report, "Output");
+  report->add_option("--out", a.out, "the page to be written")->required()->type_name("FILE.html");
+  report->add_option("--title", a.title, "of the page")->type_name("TEXT")->capture_default_str();
   report->callback([arguments, &exit_status] { exit_status = RunReport(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/retrieval_arguments.h"
 
+#include "app/option_settings.h"
 #include "io/options_yaml.h"
 
 namespace armature {
@@ -8,9 +9,8 @@ namespace armature {
 void AddRetrievalArguments(CLI::App& command, RetrievalArguments& arguments) {
   command.add_option("--config", arguments.config, "options from a file; it may be partial")
       ->type_name("FILE");
-  command.add_option("--set", arguments.settings, "then set one option; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  RetrievalOptions defaults;
+  AddSettings(command, arguments.settings, Keys(RetrievalOptionTable(defaults)));
   command.footer([] {
     RetrievalOptions options;
     return "Options (key, default, meaning), for --set key=value or as nested maps for --config:\n" +

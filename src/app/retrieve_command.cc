@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "app/help.h"
 #include "app/instance_libraries.h"
 #include "app/place_models.h"
 #include "app/printed_tables.h"
@@ -79,6 +80,12 @@ void NoteShortages(const RunRetrieval& run, const OpenLibrary& library, const Re
   }
 }
 
+void WritePlaced(const RunRetrieval& run, const fs::path& root) {
+  const PlacedScene placed = PlaceModels(run, root);
+  for (const std::string& line : placed.missing) Note(line);
+  WriteScene(placed.scene, run.run);
+}
+
 int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
   const RetrievalOptions options = LoadRetrievalOptions(arguments.retrieval);
   const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
@@ -89,20 +96,39 @@ int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
   }
   Progress progress("retrieval: runs", static_cast<long>(folders.size()));
   std::vector<RunRetrieval> runs;
+  std::vector<std::string> finished;
   for (const fs::path& folder : folders) {
-    ThrowIfInterrupted();
-    runs.push_back(RetrieveRun(folder, arguments.sequence, models, *library, options));
-    WriteRetrieval(runs.back());
+    runs.push_back(InterruptedAfter(finished, [&] {
+      RunRetrieval run = RetrieveRun(folder, arguments.sequence, models, *library, options);
+      if (arguments.place) WritePlaced(run, library->library.root);
+      WriteRetrieval(run);
+      return run;
+    }));
+    finished.push_back(folder.string());
     NoteShortages(runs.back(), *library, options);
-    if (arguments.place) {
-      const PlacedScene placed = PlaceModels(runs.back(), library->library.root);
-      for (const std::string& line : placed.missing) Note(line);
-      WriteScene(placed.scene, folder);
-    }
     progress.Step();
   }
   fmt::print("{}", FormatTables({RetrievalTable(runs, options)}, format));
   return 0;
+}
+
+CommandHelp RetrieveHelp() {
+  return {
+      .description =
+          "Names the CAD models of a library that are nearest to each object of finished runs: by the shape "
+          "coefficients, weighed by what the images say of them, then ordered by how well each model's own "
+          "edges explain the segments of the images. With --build it makes the library, from annotated CAD "
+          "models.",
+      .files = {{"RUN/retrieval.csv", "a row an instance, nearest first; objects.csv names the nearest, too"},
+                {"RUN/map.ply, map.png", "with --place: the map with the CAD models in it"},
+                {"OUT", "with --build: the library; with --save-index its search indices beside it"}},
+      .exit_status = {},
+      .examples = {{"a library of the generated CAD models",
+                    "armature retrieve --build --cad datasets/generated/cad --categories "
+                    "runs/generated/categories --out runs/instances.armlib"},
+                   {"the three nearest to each object of all runs, placed in the map",
+                    "armature retrieve runs/generated/run --library runs/generated/instances.armlib "
+                    "--categories runs/generated/categories --place --set retrieval.k=3"}}};
 }
 
 }  // namespace
@@ -117,19 +143,22 @@ void AddRetrieveCommand(CLI::App& app, int& exit_status) {
   const auto arguments = std::make_shared<RetrieveArguments>();
   RetrieveArguments& a = *arguments;
   CLI::App* retrieve = app.add_subcommand("retrieve", "Name the CAD models nearest to each object of runs");
+  Describe(*retrieve, RetrieveHelp());
+  BeginSection(*retrieve, "Retrieving");
   retrieve->add_option("RUN", a.runs, "run folders, or folders of run folders")->type_name("DIR");
   retrieve->add_option("--library", a.library, "library of instances")->type_name("FILE");
   retrieve
       ->add_option("--sequence", a.sequence, "sequence folder, for re-ranking (default: where the run says)")
       ->type_name("DIR");
   retrieve->add_flag("--place", a.place, "also write map.ply and map.png: the map with the CAD models in it");
+  BeginSection(*retrieve, "Building a library");
   retrieve->add_flag("--build", a.build, "make a library instead: --cad DIR --out FILE");
   retrieve->add_option("--cad", a.cad, "folder of annotated CAD models (datasets/README.md)")
       ->type_name("DIR");
   retrieve->add_option("--out", a.out, "library file to write")->type_name("FILE");
   retrieve->add_flag("--save-index", a.save_index, "also write its search indices beside it");
-  retrieve->add_option("--format", a.format, "text, markdown, csv, latex or json")->capture_default_str();
-  retrieve->add_flag("--json", a.json, "the same as --format json");
+  BeginSection(*retrieve, "Output");
+  AddFormatArguments(*retrieve, a.format, a.json);
   AddCategoriesArguments(*retrieve, a.configuration);
   AddRetrievalArguments(*retrieve, a.retrieval);
   retrieve->callback([arguments, &exit_status] { exit_status = RunRetrieve(*arguments); });

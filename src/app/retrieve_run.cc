@@ -9,6 +9,7 @@
 #include "app/run_map.h"
 #include "eval/run_results.h"
 #include "io/errors.h"
+#include "io/interrupt.h"
 #include "io/sequence.h"
 
 namespace armature {
@@ -64,6 +65,7 @@ RunRetrieval RetrieveRun(const fs::path& run, const fs::path& sequence,
   if (options.rerank && !retrieval.map.objects.empty())
     looker.emplace(retrieval, SequenceOf(results, sequence), models, options);
   for (size_t o = 0; o < retrieval.map.objects.size(); ++o) {
+    ThrowIfInterrupted();
     const MapObject& object = retrieval.map.objects[o];
     ObjectInstances& found = retrieval.objects.emplace_back();
     found.object = o;

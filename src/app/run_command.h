@@ -15,6 +15,7 @@ struct RunArguments {
   std::filesystem::path out;  // the run folder; with several sequences the folder of the run folders
   ConfigurationArguments configuration;
   bool overlays = false;
+  std::filesystem::path video;  // file, with several sequences the folder of the files; empty: none
   bool pipelined = false;
   int frames = 0;  // 0: all
   bool json = false;

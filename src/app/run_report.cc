@@ -97,7 +97,10 @@ std::string RunReportText(const std::vector<SequenceRunResult>& results) {
   text += "\n";
   text += FormatTable(MapTable(results), TableFormat::kText);
   text += "\nResults:\n";
-  for (const SequenceRunResult& result : results) text += fmt::format("  {}\n", result.folder.string());
+  for (const SequenceRunResult& result : results) {
+    text += fmt::format("  {}\n", result.folder.string());
+    if (!result.video.empty()) text += fmt::format("  {}: its overlays\n", result.video.string());
+  }
   text += results.size() == 1 ? "\nIn it:\n" : "\nIn each of them:\n";
   return text + FilesText(results.front().folder);
 }

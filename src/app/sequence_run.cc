@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "app/video_file.h"
 #include "io/console.h"
 #include "io/errors.h"
 #include "io/image.h"
@@ -76,11 +77,33 @@ FrameResult ProcessFrame(const Sequence& sequence, size_t index, PreparedFrame& 
   return frame;
 }
 
-void WriteOverlay(const std::filesystem::path& folder, size_t index, const cv::Mat& image,
-                  const FrameResult& frame, const std::vector<CategoryModel>& models, const Camera& camera) {
-  const cv::Mat overlay = DrawOverlay(Undistorted(image, camera), frame, models, camera);
-  WritePicture(folder / "overlays" / fmt::format("{:06}.jpg", index), overlay);
-}
+// What was found in each frame, as pictures and as a video, where they are asked for.
+class Overlays {
+ public:
+  Overlays(const Sequence& sequence, const SequenceRunSettings& settings, const std::filesystem::path& run)
+      : camera_(sequence.camera), models_(settings.models) {
+    if (settings.overlays) folder_ = run / "overlays";
+    if (!settings.video.empty())
+      video_.emplace(settings.video, sequence.fps, cv::Size(camera_.width, camera_.height));
+  }
+
+  void Add(size_t index, const cv::Mat& image, const FrameResult& frame) {
+    if (folder_.empty() && !video_) return;
+    const cv::Mat overlay = DrawOverlay(Undistorted(image, camera_), frame, models_, camera_);
+    if (!folder_.empty()) WritePicture(folder_ / fmt::format("{:06}.jpg", index), overlay);
+    if (video_) video_->Add(overlay);
+  }
+
+  void Publish() {
+    if (video_) video_->Publish();
+  }
+
+ private:
+  const Camera& camera_;
+  const std::vector<CategoryModel>& models_;
+  std::filesystem::path folder_;  // empty: no pictures
+  std::optional<VideoFile> video_;
+};
 
 void NoteOdometryGaps(const Sequence& sequence) {
   const OdometryCoverage& c = sequence.coverage;
@@ -103,6 +126,7 @@ Options OptionsFor(const Sequence& sequence, Options options) {
 
 // Solves the map and writes it; without odometry there is none, and its files are empty.
 std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& writer) {
+  const StepDetail step("the map is solved");
   const std::optional<FramePipeline::FinalMaps> maps = pipeline.SolveMaps();
   if (!maps) {
     writer.WriteMaps({}, {});
@@ -126,7 +150,7 @@ size_t FrameCount(const Sequence& sequence, int limit) {
 
 // All frames, from the image to the result.
 FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& settings, FramePipeline& pipeline,
-                    RunWriter& writer) {
+                    RunWriter& writer, Overlays& overlays) {
   const size_t count = FrameCount(sequence, settings.frames);
   Progress progress(sequence.name + ": frames", static_cast<long>(count));
   FramePace pace;
@@ -144,9 +168,7 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
       const FrameResult frame = ProcessFrame(sequence, i, prepared, pipeline);
       pace.latency_ms.push_back(static_cast<float>(1000 * SecondsSince(prepared.loaded)));
       writer.AddFrame(frame);
-      if (settings.overlays) {
-        WriteOverlay(writer.partial(), i, *colour.image, frame, settings.models, sequence.camera);
-      }
+      overlays.Add(i, *colour.image, frame);
     }
     progress.Step();
   }
@@ -163,8 +185,11 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models,
                          sequence.up);
   NoteOdometryGaps(sequence);
-  const FramePace pace = RunFrames(sequence, settings, pipeline, writer);
+  Overlays overlays(sequence, settings, writer.partial());
+  const FramePace pace = RunFrames(sequence, settings, pipeline, writer, overlays);
+  ThrowIfInterrupted();
   const std::optional<MapSummary> map = WriteMaps(pipeline, writer);
+  ThrowIfInterrupted();
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
                  .preset = settings.preset,
@@ -172,7 +197,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
                  .odometry = sequence.coverage,
                  .map = map,
                  .pace = pace});
-  return {sequence.name, folder, writer.counts(), writer.statistics(), pace, map};
+  overlays.Publish();
+  return {sequence.name, folder, settings.video, writer.counts(), writer.statistics(), pace, map};
 }
 
 }  // namespace armature

@@ -18,16 +18,18 @@ namespace armature {
 struct SequenceRunSettings {
   Options options;
   std::vector<CategoryModel> models;
-  std::string preset;       // for the summary
-  std::string config_yaml;  // text of config.yaml
-  bool overlays = false;    // also write overlays/<index>.jpg
-  int frames = 0;           // only the first so many, 0: all
-  bool pipelined = false;   // load the next image and find its lines in a second thread
+  std::string preset;           // for the summary
+  std::string config_yaml;      // text of config.yaml
+  bool overlays = false;        // also write overlays/<index>.jpg
+  std::filesystem::path video;  // file of the overlays as a video; empty: none
+  int frames = 0;               // only the first so many, 0: all
+  bool pipelined = false;       // load the next image and find its lines in a second thread
 };
 
 struct SequenceRunResult {
   std::string sequence;          // its name
   std::filesystem::path folder;  // of the run
+  std::filesystem::path video;   // empty: none
   RunCounts counts;
   StageStatistics statistics;
   FramePace pace;

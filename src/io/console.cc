@@ -44,8 +44,7 @@ void PrintError(std::string line) {
   fmt::print(stderr, "{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", line, red ? "\x1b[0m" : "");
 }
 
-StepDetail::StepDetail(std::string what)
-    : what_(std::move(what)), exceptions_(std::uncaught_exceptions()) {}
+StepDetail::StepDetail(std::string what) : what_(std::move(what)), exceptions_(std::uncaught_exceptions()) {}
 
 StepDetail::~StepDetail() {
   if (std::uncaught_exceptions() > exceptions_) return;

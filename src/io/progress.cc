@@ -26,8 +26,8 @@ std::string BarText(long done, long total, long columns, bool colour) {
   const long width = std::min(kMostBar, columns - 3);
   if (width < kLeastBar) return "";
   const long filled = std::min(width, width * done / total);
-  return fmt::format(" [{}{:=<{}}{}{:<{}}]", colour ? "\x1b[32m" : "", "", filled, colour ? "\x1b[0m" : "", "",
-                     width - filled);
+  return fmt::format(" [{}{:=<{}}{}{:<{}}]", colour ? "\x1b[32m" : "", "", filled, colour ? "\x1b[0m" : "",
+                     "", width - filled);
 }
 
 }  // namespace
@@ -70,7 +70,8 @@ void Progress::DrawBar(const std::string& time) {
   const long columns = std::max(out_.columns() - 1, 1);
   const long for_bar = columns - static_cast<long>(what_.size() + count.size());
   const std::string start = what_ + BarText(done_, total_, for_bar, out_.screen.colour);
-  const std::string line = for_bar < 0 ? (what_ + count).substr(0, static_cast<size_t>(columns)) : start + count;
+  const std::string line =
+      for_bar < 0 ? (what_ + count).substr(0, static_cast<size_t>(columns)) : start + count;
   *out_.stream << '\r' << line << "\x1b[K" << std::flush;
   drawn_ = Clock::now();
 }

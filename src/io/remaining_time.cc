@@ -18,7 +18,8 @@ double Window(double seconds) { return std::max(kLeastWindow, seconds / 3); }
 
 void RemainingTime::Add(long done, double seconds) {
   const double window = Window(seconds);
-  // The newest sample moves on until it is far enough from the one before: as many are kept for hours of work.
+  // The newest sample moves on until it is far enough from the one before: as many are kept for hours of
+  // work.
   const size_t count = recent_.size();
   if (count > 1 && seconds - recent_[count - 2].seconds < window / kSamplesAWindow) recent_.pop_back();
   recent_.push_back({done, seconds});

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "io/console.h"
 #include "io/errors.h"
 #include "io/trajectory_formats.h"
 
@@ -57,6 +58,8 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   sequence.detections =
       ReadDetections(folder / "detections.csv", sequence.images, sequence.camera, categories);
   LoadOdometry(folder / "odometry.txt", odometry, &sequence);
+  Detail(fmt::format("read {}: {} images, {} poses of odometry", folder.string(), sequence.images.size(),
+                     sequence.odometry.size()));
   return sequence;
 }
 

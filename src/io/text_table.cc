@@ -217,8 +217,13 @@ Cell PercentCell(double part, double whole) {
 
 Cell NoCell() { return {}; }
 
+const std::vector<std::string>& TableFormatNames() {
+  static const std::vector<std::string> kNames{"text", "markdown", "csv", "latex", "json"};
+  return kNames;
+}
+
 TableFormat TableFormatFromName(const std::string& name) {
-  const std::vector<std::string> names{"text", "markdown", "csv", "latex", "json"};
+  const std::vector<std::string>& names = TableFormatNames();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) throw InputError(UnknownNameMessage("table format", name, names));
   return static_cast<TableFormat>(found - names.begin());

@@ -33,7 +33,10 @@ struct Table {
 
 enum class TableFormat { kText, kMarkdown, kCsv, kLatex, kJson };
 
-// "text", "markdown", "csv", "latex", "json"; throws InputError for another name.
+// "text", "markdown", "csv", "latex", "json", in the order of the enumeration.
+const std::vector<std::string>& TableFormatNames();
+
+// Throws InputError for another name.
 TableFormat TableFormatFromName(const std::string& name);
 
 // Ends with a line break. Columns of numbers are aligned to the right. Throws std::logic_error when a row has

@@ -64,9 +64,9 @@ std::vector<std::string> RunVariants(const Matrix& matrix);
 // InputError for a name that is none of them.
 void KeepOnly(const std::vector<std::string>& names, Matrix& matrix);
 
-// Sequences of one's own instead of those of the matrix, under the same variants, with the same timings. Nothing is
-// rendered then: categories are those of CONFIGS, and there is retrieval only with `cad`. Throws InputError: a
-// folder that is not there, two of one name.
+// Sequences of one's own instead of those of the matrix, under the same variants, with the same timings.
+// Nothing is rendered then: categories are those of CONFIGS, and there is retrieval only with `cad`. Throws
+// InputError: a folder that is not there, two of one name.
 void ReplaceSequences(const std::vector<std::filesystem::path>& folders, Matrix& matrix);
 
 // A sequence of the matrix: rendered from a scene, or of one's own.

@@ -58,7 +58,8 @@ std::vector<Job> PlanEvaluation(const Matrix& matrix, const PlanFolders& folders
   std::vector<Job> jobs;
   const std::vector<std::string> variants = WithRuns(RunVariants(matrix), done);
   const std::vector<std::string> retrieved = WithRuns(matrix.retrieval, done);
-  if (HaveTruth(matrix) && !variants.empty()) jobs.push_back(planner.Evaluation("accuracy", variants, planner.CadArguments()));
+  if (HaveTruth(matrix) && !variants.empty())
+    jobs.push_back(planner.Evaluation("accuracy", variants, planner.CadArguments()));
   if (HaveTruth(matrix) && !retrieved.empty()) {
     jobs.push_back(planner.Evaluation("retrieval", retrieved,
                                       {"--library", kLibraryFile, "--tables", "retrieval,each_query"}));

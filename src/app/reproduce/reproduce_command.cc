@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/data_folders.h"
+#include "app/help.h"
 #include "app/printed_tables.h"
 #include "app/reproduce/all_tables.h"
 #include "app/reproduce/job_scheduler.h"
@@ -44,7 +45,8 @@ Matrix MatrixOf(const ReproduceArguments& a) {
   }
   if (!a.name.empty()) matrix.name = a.name;
   if (fs::path(matrix.name).filename() != matrix.name || matrix.name == "latest")
-    throw InputError(fmt::format("--name {}: has to be the plain name of a folder, and not 'latest'", matrix.name));
+    throw InputError(
+        fmt::format("--name {}: has to be the plain name of a folder, and not 'latest'", matrix.name));
   return matrix;
 }
 
@@ -129,6 +131,30 @@ std::string WhereResultsAre(const ReproductionFolder& results, const std::vector
   return text;
 }
 
+CommandHelp ReproduceHelp() {
+  return {
+      .description =
+          "Does everything: renders the embedded sequences, learns the category models, runs every sequence "
+          "under "
+          "every variant of a matrix, times them against the baselines, retrieves CAD models, compares all "
+          "with the "
+          "truth, and shows it on one page. Runs go side by side on the machine's cores, timings alone.\n\n"
+          "What was finished is not done again while the program, its configuration and the data are the "
+          "same, so an "
+          "interrupted call goes on where it was. A run that fails is told in the table with its reason; the "
+          "rest "
+          "goes on.",
+      .files = {{"OUT/NAME/report.html", "the report"},
+                {"OUT/NAME/tables.*", "all tables as txt, md, csv, tex and json"},
+                {"OUT/NAME/README.txt", "what each of the other files is: runs, raw rows, pictures, logs"},
+                {"OUT/latest", "points to the folder that was made last"}},
+      .exit_status = {{"1", "also: a run or another part failed, the rest is there"}},
+      .examples = {{"everything; some minutes", "armature reproduce"},
+                   {"is everything in place? within a minute", "armature reproduce --fast"},
+                   {"one sequence, two variants", "armature reproduce --only seq1,objects,paper"},
+                   {"a sequence of your own", "armature reproduce my_sequence --name mine"}}};
+}
+
 }  // namespace
 
 int RunReproduce(const ReproduceArguments& arguments) {
@@ -161,6 +187,8 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
   ReproduceArguments& a = *arguments;
   CLI::App* reproduce =
       app.add_subcommand("reproduce", "Run a matrix of sequences and variants, time, evaluate and report it");
+  Describe(*reproduce, ReproduceHelp());
+  BeginSection(*reproduce, "What is run");
   reproduce
       ->add_option("SEQUENCE", a.sequences,
                    "sequence folders instead of the matrix's; categories are then those of CONFIGS")
@@ -179,19 +207,19 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
                    "draws of each scene, for mean and spread: other objects, clutter and noise")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  reproduce->add_option("--out", a.out, "folder of all results")->type_name("DIR")->capture_default_str();
-  reproduce->add_option("--name", a.name, "of the folder in it (the matrix's)")->type_name("NAME");
+  reproduce->add_option("--cad", a.cad, "annotated CAD models, for retrieval (the matrix's)")
+      ->type_name("DIR");
   reproduce->add_option("--data", a.data, "where scenes are rendered to, once (the matrix's)")
       ->type_name("DIR");
-  reproduce->add_option("--cad", a.cad, "annotated CAD models, for retrieval (the matrix's)")->type_name("DIR");
+  reproduce->add_option("--configs", a.configs, "CONFIGS: folder of presets and categories")
+      ->type_name("DIR");
   reproduce->add_option("--jobs", a.jobs, "how many runs at once (a core each); timings are always alone")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  reproduce->add_option("--configs", a.configs, "CONFIGS: folder of presets and categories")
-      ->type_name("DIR");
-  reproduce->add_option("--format", a.format, "of the printed table: text, markdown, csv, latex or json")
-      ->capture_default_str();
-  reproduce->add_flag("--json", a.json, "the same as --format json");
+  BeginSection(*reproduce, "Output");
+  reproduce->add_option("--out", a.out, "folder of all results")->type_name("DIR")->capture_default_str();
+  reproduce->add_option("--name", a.name, "of the folder in it (the matrix's)")->type_name("NAME");
+  AddFormatArguments(*reproduce, a.format, a.json);
   reproduce->callback([arguments, &exit_status] { exit_status = RunReproduce(*arguments); });
 }
 

@@ -13,11 +13,11 @@ namespace armature {
 struct ReproduceArguments {
   std::vector<std::filesystem::path> sequences;  // instead of the matrix's; empty: those
   std::filesystem::path cad;                     // annotated CAD models, for retrieval; empty: the matrix's
-  std::filesystem::path config;           // empty: CONFIGS/reproduce.yaml
-  std::filesystem::path out = "results";  // gets a folder of the matrix's name
-  std::string name;                       // empty: the matrix's
-  std::filesystem::path data;             // empty: the matrix's
-  std::vector<std::string> only;          // sequences, variants, timings; empty: all
+  std::filesystem::path config;                  // empty: CONFIGS/reproduce.yaml
+  std::filesystem::path out = "results";         // gets a folder of the matrix's name
+  std::string name;                              // empty: the matrix's
+  std::filesystem::path data;                    // empty: the matrix's
+  std::vector<std::string> only;                 // sequences, variants, timings; empty: all
   bool fast = false;
   int seeds = 0;                  // 0: the matrix's
   int jobs = 0;                   // at once; 0: a core each
