@@ -31,6 +31,28 @@ function enlargedPicture() {
   return seen;
 }
 
+// Whether each panel of the first map has moved: after the wheel over one of them, after "whole map".
+function movedByWheel() {
+  const figure = document.querySelector('[data-plot="maps"]');
+  const paths = () => all('path.path', figure).map((path) => path.getAttribute('d'));
+  const before = paths();
+  const moved = () => paths().map((d, i) => d !== before[i]);
+  figure.querySelector('svg').dispatchEvent(
+      new WheelEvent('wheel', {bubbles: true, cancelable: true, deltaY: -200, clientX: 300, clientY: 0}));
+  const wheel = moved();
+  figure.querySelector('.map + .controls button').click();
+  return [wheel, moved()];
+}
+
+// Chooses the second sequence of the 3D view, where there is a choice.
+function otherScene() {
+  const select = document.querySelector('[data-plot="scenes"] select');
+  if (!select) return null;
+  select.selectedIndex = 1;
+  select.dispatchEvent(new Event('change'));
+  return all('canvas').map(coloursOf);
+}
+
 function backgrounds() {
   return [1, 2].map(() => {
     document.getElementById('theme').click();
@@ -38,6 +60,7 @@ function backgrounds() {
   });
 }
 
+document.querySelector('[data-plot="scenes"]').scrollIntoView({behavior: 'instant'});  // which starts it
 setTimeout(() => {
   const seen = {
     cells: tableCells(),
@@ -50,10 +73,13 @@ setTimeout(() => {
     canvases: all('canvas').map(coloursOf),
     scene: document.querySelector('[data-plot="scenes"]').textContent,
     sorted: sortedByPressing(document.querySelector('figure.table table'), 4),
+    moved: movedByWheel(),
+    other: otherScene(),
     enlarged: enlargedPicture(),
     backgrounds: backgrounds(),
     overflow: document.documentElement.scrollWidth - document.documentElement.clientWidth,
   };
   const json = JSON.stringify(seen).replace(/[<>&]/g, (c) => `\\u00${c.charCodeAt(0).toString(16)}`);
+  console.log('the probe has seen the page');
   document.body.append(Object.assign(document.createElement('pre'), {id: 'probe', textContent: json}));
 }, 1500);
