@@ -11,6 +11,7 @@ set(headers ${CMAKE_INSTALL_INCLUDEDIR}/armature)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/armature)
 
 install(TARGETS armature_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS armature_video LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/armature)
 install(DIRECTORY configs DESTINATION ${data})
 install(DIRECTORY datasets/scenes DESTINATION ${data}/datasets)
 install(FILES results/paper_object_errors.csv DESTINATION ${data}/results)

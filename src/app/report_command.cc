@@ -10,6 +10,7 @@
 
 #include "app/eval_command.h"
 #include "app/eval_inputs.h"
+#include "app/help.h"
 #include "app/printed_tables.h"
 #include "eval/evaluation_tables.h"
 #include "eval/report/report_page.h"
@@ -66,6 +67,26 @@ std::vector<Table> TablesOfAll(const std::vector<fs::path>& places, Read read) {
   return tables;
 }
 
+CommandHelp ReportHelp() {
+  return {
+      .description =
+          "Shows runs, what they were evaluated and timed with, and how, as one HTML page that needs no "
+          "network: "
+          "figures beside the paper's, sortable tables, maps from above, a map in 3D to be turned with the "
+          "mouse, "
+          "frames with their associated edges, retrieved CAD models, and the environment. What is absent (no "
+          "truth, no retrieval, no benchmark) is left out and said.",
+      .files = {{"OUT", "the page: one file, pictures and scripts in it"}},
+      .exit_status = {},
+      .examples = {
+          {"runs of your own",
+           "armature report runs/generated/run --categories runs/generated/categories --out report.html"},
+          {"with retrieval and times that were measured before",
+           "armature report results/latest/runs/objects --eval results/latest/evaluation/accuracy --eval "
+           "results/latest/evaluation/retrieval --bench results/latest/timings/comparison --library "
+           "results/latest/library.armlib --categories results/latest/categories --out report.html"}}};
+}
+
 }  // namespace
 
 ReportSources SourcesOf(const ReportArguments& arguments) {
@@ -91,26 +112,6 @@ int RunReport(const ReportArguments& arguments) {
   fmt::print("{}: the report, {:.1f} MB, opens in any browser without a network\n", arguments.out.string(),
              static_cast<double>(page.size()) / 1e6);
   return 0;
-}
-
-CommandHelp ReportHelp() {
-  return {
-      .description =
-          "Shows runs, what they were evaluated and timed with, and how, as one HTML page that needs no "
-          "network: "
-          "figures beside the paper's, sortable tables, maps from above, a map in 3D to be turned with the "
-          "mouse, "
-          "frames with their associated edges, retrieved CAD models, and the environment. What is absent (no "
-          "truth, no retrieval, no benchmark) is left out and said.",
-      .files = {{"OUT", "the page: one file, pictures and scripts in it"}},
-      .exit_status = {},
-      .examples = {
-          {"runs of your own",
-           "armature report runs/generated/run --categories runs/generated/categories --out report.html"},
-          {"with retrieval and times that were measured before",
-           "armature report results/latest/runs/objects --eval results/latest/evaluation/accuracy --eval "
-           "results/latest/evaluation/retrieval --bench results/latest/timings/comparison --library "
-           "results/latest/library.armlib --categories results/latest/categories --out report.html"}}};
 }
 
 void AddReportCommand(CLI::App& app, int& exit_status) {
