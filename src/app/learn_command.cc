@@ -20,6 +20,7 @@
 namespace armature {
 namespace {
 
+const std::vector<std::string> kFamilies = {"chair", "table", "laptop"};
 const std::vector<int> kHeldOutModes = {3, 5, 7, 10, 15};
 
 bool IsComparing(const LearnArguments& arguments) {
@@ -76,6 +77,62 @@ ComparisonReport Compared(const TrainingSpec& spec, const CategoryModel& model,
                           const std::vector<Wireframe>& own, const TrainingModels& others) {
   return {StatisticsOf(model, spec, own), StatisticsOf(model, spec, others.wireframes), others.source,
           others.read};
+}
+
+void AddInput(CLI::App& learn, LearnArguments& a) {
+  BeginSection(learn, "Input");
+  learn.add_option("--spec", a.spec, "category specification (configs/categories/specs)")
+      ->required()
+      ->type_name("FILE");
+  learn.add_option("--annotations", a.annotations.file, "table of annotated models")->type_name("FILE");
+  KnownValues(*learn.add_option("--format", a.annotations.format, "of the annotations")->type_name("NAME"),
+              AnnotationFormats())
+      .capture_default_str();
+  learn.add_flag("--metric", a.annotations.metric,
+                 "the annotations are in metres: keep their sizes instead of scaling each model to the "
+                 "category's reference");
+  KnownValues(*learn.add_option("--family", a.family, "learn from our own family instead")->type_name("NAME"),
+              kFamilies);
+  learn.add_option("--count", a.count, "models drawn from the family")->type_name("N")->capture_default_str();
+  learn.add_option("--seed", a.seed, "seed of the family")->type_name("N")->capture_default_str();
+}
+
+void AddModel(CLI::App& learn, LearnArguments& a) {
+  BeginSection(learn, "Model");
+  learn.add_option("--modes", a.modes, "size of the basis (default: the specification's)")->type_name("N");
+  learn
+      .add_option("--padding", a.padding,
+                  "how far the models reach beyond their edges, both sides along each axis, metres")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
+  learn
+      .add_option("--slab-drop", a.slab_drop,
+                  "how far below the edges of a top or seat its near sides are seen, metres")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("METRES");
+  learn.add_option("--source", a.source, "what the models are and their licence, written into the model");
+}
+
+void AddJudging(CLI::App& learn, LearnArguments& a) {
+  BeginSection(learn, "Judging it");
+  learn
+      .add_option("--held-out", a.held_out,
+                  "also leave out every N-th model and report how well it is reconstructed")
+      ->type_name("N");
+  learn
+      .add_option("--compare", a.compare.file,
+                  "also show another table of annotated models, scaled to the category's reference, in the "
+                  "learnt modes")
+      ->type_name("FILE");
+  OfferValues(*learn.add_option("--compare-format", a.compare.format, "its format")->type_name("NAME"),
+              AnnotationFormats())
+      .capture_default_str();
+  OfferValues(*learn
+                   .add_option("--compare-family", a.compare_family,
+                               "the same with a family of ours (--count, --seed)")
+                   ->type_name("NAME"),
+              kFamilies);
 }
 
 CommandHelp LearnHelp() {
@@ -138,57 +195,9 @@ void AddLearnCommand(CLI::App& app, int& exit_status) {
   CLI::App* learn =
       app.add_subcommand("learn", "Learn a category model from annotated CAD models or a family");
   Describe(*learn, LearnHelp());
-  BeginSection(*learn, "Input");
-  learn->add_option("--spec", a.spec, "category specification (configs/categories/specs)")
-      ->required()
-      ->type_name("FILE");
-  learn->add_option("--annotations", a.annotations.file, "table of annotated models")->type_name("FILE");
-  KnownValues(*learn->add_option("--format", a.annotations.format, "of the annotations")->type_name("NAME"),
-              AnnotationFormats())
-      .capture_default_str();
-  learn->add_flag("--metric", a.annotations.metric,
-                  "the annotations are in metres: keep their sizes instead of scaling each model to the "
-                  "category's reference");
-  const std::vector<std::string> families = {"chair", "table", "laptop"};
-  KnownValues(
-      *learn->add_option("--family", a.family, "learn from our own family instead")->type_name("NAME"),
-      families);
-  learn->add_option("--count", a.count, "models drawn from the family")
-      ->type_name("N")
-      ->capture_default_str();
-  learn->add_option("--seed", a.seed, "seed of the family")->type_name("N")->capture_default_str();
-  BeginSection(*learn, "Model");
-  learn->add_option("--modes", a.modes, "size of the basis (default: the specification's)")->type_name("N");
-  learn
-      ->add_option("--padding", a.padding,
-                   "how far the models reach beyond their edges, both sides along each axis, metres")
-      ->expected(3)
-      ->delimiter(',')
-      ->type_name("X,Y,Z");
-  learn
-      ->add_option("--slab-drop", a.slab_drop,
-                   "how far below the edges of a top or seat its near sides are seen, metres")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("METRES");
-  learn->add_option("--source", a.source, "what the models are and their licence, written into the model");
-  BeginSection(*learn, "Judging it");
-  learn
-      ->add_option("--held-out", a.held_out,
-                   "also leave out every N-th model and report how well it is reconstructed")
-      ->type_name("N");
-  learn
-      ->add_option("--compare", a.compare.file,
-                   "also show another table of annotated models, scaled to the category's reference, in the "
-                   "learnt modes")
-      ->type_name("FILE");
-  OfferValues(*learn->add_option("--compare-format", a.compare.format, "its format")->type_name("NAME"),
-              AnnotationFormats())
-      .capture_default_str();
-  OfferValues(*learn
-                   ->add_option("--compare-family", a.compare_family,
-                                "the same with a family of ours (--count, --seed)")
-                   ->type_name("NAME"),
-              families);
+  AddInput(*learn, a);
+  AddModel(*learn, a);
+  AddJudging(*learn, a);
   BeginSection(*learn, "Output");
   learn->add_option("--out", a.out, "model file to write")->type_name("FILE");
   learn
