@@ -119,7 +119,7 @@ std::string OfferedFor(const std::vector<std::string>& lines) {
 
 TEST(AppCompletion, OffersWhatMayFollow) {
   const std::vector<std::pair<std::string, std::string>> expected = {
-      {"armature re", "retrieve"},
+      {"armature ret", "retrieve"},
       {"armature --qu", "--quiet"},
       {"armature run --pre", "--preset"},
       {"armature run --preset f", "fast"},

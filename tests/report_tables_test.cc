@@ -97,8 +97,8 @@ TEST(ReportAblation, ABarForTheFirstRunWithEachNormalTerm) {
 
 class ReportTableFiles : public ::testing::Test {
  protected:
-  void ExpectRefusedTable(const std::string& json, const std::string& text) const {
-    const auto file = folder_.Write("t.json", json);
+  void ExpectRefusedTable(const std::string& written, const std::string& text) const {
+    const auto file = folder_.Write("t.json", written);
     ExpectInputError([&] { ReadTables(file); }, {file.string(), text, "again"});
   }
   testing::TempFolder folder_;
@@ -109,8 +109,8 @@ TEST_F(ReportTableFiles, ComeBackAsTheyWereWritten) {
   table.rows = {{TextCell("a"), NumberCell(0.045, 4), CountCell(10)},
                 {NoCell(), NumberCell(1.1234, 4), NoCell()},
                 {TextCell("b"), NumberCell(-2, 4), CountCell(0)}};
-  const std::string json = FormatTable(table, TableFormat::kJson);
-  for (const std::string& text : {json, "[" + json + "]", "{\"tables\": [" + json + "]}"}) {
+  const std::string written = FormatTable(table, TableFormat::kJson);
+  for (const std::string& text : {written, "[" + written + "]", "{\"tables\": [" + written + "]}"}) {
     const std::vector<Table> read = ReadTables(folder_.Write("t.json", text));
     ASSERT_EQ(read.size(), 1u);
     EXPECT_EQ(read[0].name, "objects");
