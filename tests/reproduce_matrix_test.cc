@@ -93,13 +93,20 @@ TEST_F(ReproduceMatrix, DrawsHaveNamesAndFoldersOfTheirOwn) {
   EXPECT_EQ(sequences[4].folder, "/my/kitchen");
 }
 
-TEST_F(ReproduceMatrix, OnlyKeepsAllOfAKindOfWhichNothingIsNamed) {
+TEST_F(ReproduceMatrix, OnlyKeepsAllVariantsWhereNoneIsNamed) {
   Matrix matrix = Read(kSmall);
   KeepOnly({"seq2", "stages"}, matrix);
   EXPECT_EQ(matrix.scenes, Names{"seq2"});
   EXPECT_EQ(matrix.variants.size(), 3u);
   ASSERT_EQ(matrix.timings.size(), 1u);
   EXPECT_EQ(matrix.timings[0].sequences, Names{"seq2"});
+}
+
+TEST_F(ReproduceMatrix, OnlyTimingsThatAreNamedAreMade) {
+  Matrix matrix = Read(kSmall);
+  KeepOnly({"paper"}, matrix);
+  EXPECT_EQ(matrix.scenes, (Names{"seq1", "seq2"}));
+  EXPECT_TRUE(matrix.timings.empty());
 }
 
 TEST_F(ReproduceMatrix, OnlyAVariantPlacedByOdometryKeepsItsRun) {

@@ -103,9 +103,10 @@ TEST(ReproducePlan, WhatFailedIsNotEvaluatedNorReported) {
   EXPECT_EQ(jobs[2].name, "evaluation/library");
   const Job report =
       PlanReport(matrix, kFolders, {Done("runs/objects/seq1"), Done("evaluation/accuracy")}, {"m.json"});
-  EXPECT_EQ(CallOf(report),
-            "armature report runs/objects --eval evaluation/accuracy --table m.json --title reproduce "
-            "--out report.html --categories categories");
+  EXPECT_EQ(
+      CallOf(report),
+      "armature report runs/objects --eval evaluation/accuracy --table m.json --title 'Armature: reproduce' "
+      "--out report.html --categories categories");
 }
 
 TEST(ReproducePlan, WithoutAnyTruthThereIsNothingToEvaluate) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 
@@ -37,9 +39,21 @@ ReportSection SectionOf(const std::string& table) {
   return ReportSection::kOther;
 }
 
+// What is looked for first comes first, whatever the order in which it was evaluated.
+std::vector<Table> ByImportance(std::vector<Table> tables) {
+  constexpr std::array kFirst{"paper", "objects", "trajectory", "observations", "edges"};
+  const auto place = [&](const Table& table) { return std::find(kFirst.begin(), kFirst.end(), table.name); };
+  std::stable_sort(tables.begin(), tables.end(),
+                   [&](const Table& a, const Table& b) { return place(a) < place(b); });
+  return tables;
+}
+
 void AddTables(const ReportSources& sources, ReportData& data) {
   for (const Table& table : sources.overview) data.tables.push_back({ReportSection::kOverview, table});
-  for (const Table& table : sources.tables) data.tables.push_back({SectionOf(table.name), table});
+  for (Table& table : ByImportance(sources.tables)) {
+    const ReportSection section = SectionOf(table.name);
+    data.tables.push_back({section, std::move(table)});
+  }
   AddAll(LocalizationFigures(sources.tables), data.headline);
   data.ablations = NormalTermBars(sources.tables);
 }

@@ -99,16 +99,17 @@ void LookAtObject(const SequenceRuns& sequence, const PlacedObject& object, cons
 std::optional<ObjectSight> BestSight(const LoadedRun& run, const Sequence& sequence,
                                      const std::string& object) {
   std::optional<ObjectSight> best;
-  double best_area = 0;
+  double best_score = 0;
   for (size_t image = 0; image < sequence.images.size(); ++image) {
     for (size_t d = 0; d < sequence.detections[image].size(); ++d) {
       const RunObservation* row = run.results.Find(sequence.images[image].timestamp, static_cast<int>(d));
       if (row == nullptr || !row->ok() || row->object != object) continue;
       const Box& seen = sequence.detections[image][d].box;
-      // Any whole one is better than any clipped one.
-      const double area = seen.width * seen.height * (IsClipped(seen, sequence.camera) ? 1e-9 : 1);
-      if (area <= best_area) continue;
-      best_area = area;
+      // Any whole one is better than any clipped one; few matches tell that something stands in front.
+      const double score = seen.width * seen.height * static_cast<double>(1 + row->matches.size()) *
+                           (IsClipped(seen, sequence.camera) ? 1e-9 : 1);
+      if (score <= best_score) continue;
+      best_score = score;
       best = {image, d, UndistortBox(sequence.camera, seen)};
     }
   }

@@ -125,7 +125,7 @@ CommandHelp BenchHelp() {
                 {"OUT/*.svg", "plots, unless --no-plots"}},
       .exit_status = {{"1", "with --against also: a stage became slower"}},
       .examples = {{"everything on one sequence",
-                    "armature bench datasets/generated/seq1 --categories runs/generated/categories --out "
+                    "armature bench datasets/generated/seq1 --categories results/reproduce/categories --out "
                     "runs/bench"},
                    {"our pipeline against a keypoint network as published, few frames",
                     "armature bench datasets/generated/seq1 --frames 30 --tables comparison --engines "

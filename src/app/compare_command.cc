@@ -56,8 +56,8 @@ CommandHelp CompareHelp() {
           .files = {{"RAW", "with --raw: a row a pair"}},
           .exit_status = {},
           .examples = {{"two ways of running the same sequences, paired",
-                        "armature compare results/latest/runs/objects results/latest/runs/fast --categories "
-                        "results/latest/categories"},
+                        "armature compare results/reproduce/runs/objects results/reproduce/runs/fast --categories "
+                        "results/reproduce/categories"},
                        {"two benchmarks, as Markdown",
                         "armature compare runs/bench_a runs/bench_b --format markdown"}}};
 }

@@ -166,12 +166,13 @@ CommandHelp EvalHelp() {
       .exit_status = {},
       .examples = {
           {"all tables of three runs",
-           "armature eval runs/generated/run --categories runs/generated/categories --out runs/eval"},
+           "armature eval results/reproduce/runs/objects --categories results/reproduce/categories --out "
+           "runs/eval"},
           {"how well CAD models are retrieved, as Markdown",
-           "armature eval runs/generated/run --categories runs/generated/categories --library "
-           "runs/generated/instances.armlib --tables retrieval --format markdown"},
+           "armature eval results/reproduce/runs/objects --categories results/reproduce/categories --library "
+           "results/reproduce/library.armlib --tables retrieval --format markdown"},
           {"one trajectory, rigidly aligned",
-           "armature eval runs/generated/run/seq1/trajectory.txt --groundtruth "
+           "armature eval results/reproduce/runs/objects/seq1/trajectory.txt --groundtruth "
            "datasets/generated/seq1/groundtruth.txt --alignment se3"}}};
 }
 

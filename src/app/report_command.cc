@@ -80,11 +80,12 @@ CommandHelp ReportHelp() {
       .exit_status = {},
       .examples = {
           {"runs of your own",
-           "armature report runs/generated/run --categories runs/generated/categories --out report.html"},
+           "armature report results/reproduce/runs/objects --categories results/reproduce/categories --out "
+           "report.html"},
           {"with retrieval and times that were measured before",
-           "armature report results/latest/runs/objects --eval results/latest/evaluation/accuracy --eval "
-           "results/latest/evaluation/retrieval --bench results/latest/timings/comparison --library "
-           "results/latest/library.armlib --categories results/latest/categories --out report.html"}}};
+           "armature report results/reproduce/runs/objects --eval results/reproduce/evaluation/accuracy --eval "
+           "results/reproduce/evaluation/retrieval --bench results/reproduce/timings/comparison --library "
+           "results/reproduce/library.armlib --categories results/reproduce/categories --out report.html"}}};
 }
 
 }  // namespace

@@ -125,10 +125,10 @@ CommandHelp RetrieveHelp() {
       .exit_status = {},
       .examples = {{"a library of the generated CAD models",
                     "armature retrieve --build --cad datasets/generated/cad --categories "
-                    "runs/generated/categories --out runs/instances.armlib"},
+                    "results/reproduce/categories --out runs/instances.armlib"},
                    {"the three nearest to each object of all runs, placed in the map",
-                    "armature retrieve runs/generated/run --library runs/generated/instances.armlib "
-                    "--categories runs/generated/categories --place --set retrieval.k=3"}}};
+                    "armature retrieve results/reproduce/runs/objects --library results/reproduce/library.armlib "
+                    "--categories results/reproduce/categories --place --set retrieval.k=3"}}};
 }
 
 }  // namespace

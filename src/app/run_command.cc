@@ -91,7 +91,7 @@ CommandHelp RunHelp() {
           .examples = {
               {"a generated sequence, with the category models learnt from its CAD models",
                "armature run datasets/generated/seq1 --out runs/seq1 --categories "
-               "runs/generated/categories"},
+               "results/reproduce/categories"},
               {"three sequences as the paper has it, a run folder each in runs/paper",
                "armature run datasets/generated/seq1 datasets/generated/seq2 datasets/generated/seq3 "
                "--out runs/paper --preset paper"},

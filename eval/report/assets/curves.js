@@ -24,10 +24,17 @@ function timeTicks(y, logarithmic) {
   return d3.axisLeft(y).ticks(6, '~g').tickValues(powers.length > 2 ? powers : null);
 }
 
+// Sizes that grow by factors.
+function growthScale(points, width) {
+  const [least, most] = d3.extent(points, (p) => p.x), range = [margin.left, width - margin.right];
+  const scale = least > 0 && most > 100 * least ? d3.scaleLog() : d3.scaleLinear();
+  return scale.domain([least, most]).range(range).nice();
+}
+
 function drawAxes(svg, item, x, yAxis, width, height) {
   svg.append('g')
       .attr('transform', `translate(0,${height - margin.bottom})`)
-      .call(d3.axisBottom(x).ticks(Math.max(width / 90, 3)));
+      .call(d3.axisBottom(x).ticks(Math.max(width / 90, 3), '~s'));
   svg.append('g')
       .attr('transform', `translate(${margin.left},0)`)
       .call(yAxis.tickSize(margin.left + margin.right - width))
@@ -76,7 +83,7 @@ report.draw.curves = (figure, item) => {
   const draw = (width) => {
     const height = Math.min(380, Math.max(240, width * 0.5));
     const svg = freshSvg(panel, width, height, `${item.y_label} against ${item.x_label}`);
-    const x = d3.scaleLinear(d3.extent(points, (p) => p.x), [margin.left, width - margin.right]).nice();
+    const x = growthScale(points, width);
     const y = timeScale(points, height, logarithmic);
     drawAxes(svg, item, x, timeTicks(y, logarithmic), width, height);
     item.curves.forEach((curve, i) => drawCurve(svg, curve, i, x, y));

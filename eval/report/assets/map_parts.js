@@ -16,9 +16,10 @@ function trueCentre(object, truth) {
       .sort((a, b) => distance(a, centre) - distance(b, centre))[0];
 }
 
-// The same scale on both axes, with everything in view.
+// The same scale on both axes, with all that is shown at first in view: a later layer may be far off.
 function mapScales(map, width, height) {
-  const points = layersOf(map).flatMap((l) => [...l.trajectory, ...l.objects.flatMap((o) => o.footprint)]);
+  const shown = [...(map.truth ? [map.truth] : []), ...map.estimates.slice(0, 2)];
+  const points = shown.flatMap((l) => [...l.trajectory, ...l.objects.flatMap((o) => o.footprint)]);
   const [x0, x1] = d3.extent(points, (p) => p[0]), [y0, y1] = d3.extent(points, (p) => p[1]);
   const pixels = Math.min((width - 40) / Math.max(x1 - x0, 0.5), (height - 60) / Math.max(y1 - y0, 0.5));
   const x = (x0 + x1) / 2, y = (y0 + y1) / 2, w = width / 2 / pixels, h = height / 2 / pixels;

@@ -127,13 +127,15 @@ void JobPlanner::AddSequences(Job& job) const {
 
 // With what all calls are told.
 std::vector<std::string> JobPlanner::Call(std::vector<std::string> call) const {
-  if (!matrix_.categories.empty()) call.insert(call.end(), {"--categories", "categories"});
+  if (!matrix_.categories.empty() || !matrix_.category_folder.empty())
+    call.insert(call.end(), {"--categories", CategoriesInput()});
   if (folders_.name_configs) call.insert(call.end(), {"--configs", Here(folders_.configs)});
   return call;
 }
 
 std::string JobPlanner::CategoriesInput() const {
-  return matrix_.categories.empty() ? Here(folders_.configs / "categories") : "categories";
+  if (!matrix_.categories.empty()) return "categories";
+  return Here(matrix_.category_folder.empty() ? folders_.configs / "categories" : matrix_.category_folder);
 }
 
 // As it is written in the folder of results.

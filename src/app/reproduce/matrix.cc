@@ -91,7 +91,7 @@ std::vector<std::string> RunVariants(const Matrix& matrix) {
 void KeepOnly(const std::vector<std::string>& names, Matrix& matrix) {
   CheckKnown(names, matrix);
   const Wanted timings(names, TimingNames(matrix));
-  std::erase_if(matrix.timings, [&](const Timing& timing) { return !timings.Has(timing.name); });
+  std::erase_if(matrix.timings, [&](const Timing& timing) { return !timings.Names(timing.name); });
   KeepVariants(Wanted(names, VariantNames(matrix)), matrix);
   KeepSequences(Wanted(names, FamilyNames(matrix)), matrix);
 }

@@ -46,7 +46,8 @@ struct Matrix {
   std::vector<std::filesystem::path> sequences{};  // folders of one's own
   int seeds = 1;                                   // draws of each scene
   int frames = 0;                                  // the first so many of each sequence; 0: all
-  std::vector<LearntCategory> categories{};        // empty: those of CONFIGS/categories
+  std::vector<LearntCategory> categories{};        // empty: those of `category_folder`
+  std::filesystem::path category_folder{};         // category models; empty: those of CONFIGS
   std::vector<Variant> variants{};
   std::vector<std::string> retrieval{};  // variants whose objects get their nearest CAD models
   int library_every = 10;       // each so many-th of the library's instances is a query of its own, 0: none
@@ -60,8 +61,8 @@ std::vector<std::string> FamilyNames(const Matrix& matrix);
 // Names of the variants that have runs of their own.
 std::vector<std::string> RunVariants(const Matrix& matrix);
 
-// Only what is named: sequences, variants, timings; a kind of which none is named is kept whole. Throws
-// InputError for a name that is none of them.
+// Only what is named: sequences and variants (all where none is named), and timings. Throws InputError for a
+// name that is none of them.
 void KeepOnly(const std::vector<std::string>& names, Matrix& matrix);
 
 // Sequences of one's own instead of those of the matrix, under the same variants, with the same timings.

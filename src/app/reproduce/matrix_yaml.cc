@@ -59,6 +59,7 @@ std::string MatrixYaml(const Matrix& matrix) {
   Emit("seeds", matrix.seeds, yaml);
   Emit("frames", matrix.frames, yaml);
   EmitCategories(matrix, yaml);
+  if (!matrix.category_folder.empty()) Emit("category_folder", matrix.category_folder.string(), yaml);
   yaml << YAML::Key << "variants" << YAML::Value << YAML::BeginSeq;
   for (const Variant& variant : matrix.variants) EmitVariant(variant, yaml);
   yaml << YAML::EndSeq;

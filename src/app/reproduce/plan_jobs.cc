@@ -92,7 +92,7 @@ Job PlanReport(const Matrix& matrix, const PlanFolders& folders, const std::vect
   }
   for (const std::string& table : tables) add("--table", table);
   if (HasSucceeded(done, "library")) add("--library", kLibraryFile);
-  call.insert(call.end(), {"--title", matrix.name, "--out", "report.html"});
+  call.insert(call.end(), {"--title", "Armature: " + matrix.name, "--out", "report.html"});
   job.commands = {planner.Call(call)};
   return job;
 }

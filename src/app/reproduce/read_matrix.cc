@@ -82,6 +82,8 @@ void Read(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
     for (const std::string& name : categories.Keys())
       matrix.categories.push_back(ReadCategory(name, categories.MapOrEmpty(name)));
   }
+  if (map.Has("category_folder"))
+    matrix.category_folder = (beside / map.Text("category_folder")).lexically_normal();
   if (map.Has("variants")) {
     matrix.variants.clear();
     for (const YamlMap& variant : map.Maps("variants"))
@@ -96,9 +98,10 @@ void Read(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
   }
 }
 
-const std::vector<std::string> kKeys{"name",      "data",          "scenes",     "sequences",
-                                     "seeds",     "frames",        "categories", "variants",
-                                     "retrieval", "library_every", "cad",        "timings"};
+const std::vector<std::string> kKeys{"name",     "data",      "scenes",        "sequences",
+                                     "seeds",    "frames",    "categories",    "category_folder",
+                                     "variants", "retrieval", "library_every", "cad",
+                                     "timings"};
 
 template <typename Named>
 std::vector<std::string> NamesOf(const std::vector<Named>& all) {

@@ -38,6 +38,10 @@ Matrix MatrixOf(const ReproduceArguments& a) {
   if (!a.data.empty()) matrix.data = a.data;
   if (!a.cad.empty()) matrix.cad = fs::absolute(a.cad).lexically_normal();
   if (!a.sequences.empty()) ReplaceSequences(a.sequences, matrix);
+  if (!a.categories.empty()) {
+    matrix.categories.clear();
+    matrix.category_folder = fs::absolute(a.categories).lexically_normal();
+  }
   if (a.seeds > 0) matrix.seeds = a.seeds;
   if (!a.only.empty()) {
     KeepOnly(a.only, matrix);
@@ -190,15 +194,16 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
   Describe(*reproduce, ReproduceHelp());
   BeginSection(*reproduce, "What is run");
   reproduce
-      ->add_option("SEQUENCE", a.sequences,
-                   "sequence folders instead of the matrix's; categories are then those of CONFIGS")
+      ->add_option(
+          "SEQUENCE", a.sequences,
+          "sequence folders instead of the matrix's; categories are then those of --categories or CONFIGS")
       ->type_name("DIR");
   reproduce->add_option("--config", a.config, "the matrix (CONFIGS/reproduce.yaml, which explains its keys)")
       ->type_name("FILE");
   reproduce->add_flag("--fast", a.fast,
                       "few frames, as the matrix's key `fast` says: is everything in place?");
   reproduce
-      ->add_option("--only", a.only, "only these sequences, variants and timings; results go to NAME-only")
+      ->add_option("--only", a.only, "only these sequences and variants (all where none is named) and timings; results go to NAME-only")
       ->type_name("NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -208,6 +213,8 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   reproduce->add_option("--cad", a.cad, "annotated CAD models, for retrieval (the matrix's)")
+      ->type_name("DIR");
+  reproduce->add_option("--categories", a.categories, "folder of category models; none is learnt then")
       ->type_name("DIR");
   reproduce->add_option("--data", a.data, "where scenes are rendered to, once (the matrix's)")
       ->type_name("DIR");

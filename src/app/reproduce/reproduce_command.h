@@ -13,6 +13,7 @@ namespace armature {
 struct ReproduceArguments {
   std::vector<std::filesystem::path> sequences;  // instead of the matrix's; empty: those
   std::filesystem::path cad;                     // annotated CAD models, for retrieval; empty: the matrix's
+  std::filesystem::path categories;              // folder of category models; empty: the matrix says
   std::filesystem::path config;                  // empty: CONFIGS/reproduce.yaml
   std::filesystem::path out = "results";         // gets a folder of the matrix's name
   std::string name;                              // empty: the matrix's
