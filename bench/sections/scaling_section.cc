@@ -76,7 +76,7 @@ BenchSeries SeriesOf(Load load, const std::vector<const Entrant*>& entrants,
 Table LoadTable(Load load, const std::vector<const Entrant*>& entrants, const std::vector<BenchRow>& rows) {
   const bool is_size = load == Load::kImageSize;
   Table table;
-  table.columns = {LoadName(load),
+  table.columns = {"variant",
                    is_size ? "megapixels" : "hypotheses",
                    "segments",
                    "n",
