@@ -21,7 +21,7 @@ constexpr double kHiddenSky = 0.25;   // that shines through what hides it: ligh
 constexpr double kLampRadius = 0.12;  // at a distance of 1
 constexpr double kSkyReach = 0.7;     // metres; what is further away hides nothing of the sky
 constexpr double kFar = 30;           // metres, to the lamp
-constexpr double kLift = 2e-3;        // metres that rays start above their surface
+constexpr double kShadowLift = 2e-3;  // metres that rays start above their surface
 constexpr size_t kLampRays = 16;      // as many to the sky; whole packets (ray_scene.h)
 const Vector3d kToLamp = Vector3d(-0.45, -0.35, 1).normalized();  // ground frame
 
@@ -69,7 +69,7 @@ Colour MapShading::ColourAt(const RayHit& hit, const Vector3d& point) const {
 
 double MapShading::LightAt(const Vector3d& point, const Vector3d& normal, std::uint32_t hash) const {
   const PlaceShift shift(hash);
-  const Vector3d start = point + kLift * normal;
+  const Vector3d start = point + kShadowLift * normal;
   const Eigen::Matrix3d sky = AxesAround(normal), lamp = AxesAround(to_lamp_world_);
   std::array<Vector3d, 2 * kLampRays> ends;
   for (size_t i = 0; i < kLampRays; ++i) {

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kLift = 1e-3;  // metres that reflected rays start above their surface
+constexpr double kReflectedLift = 1e-3;  // metres that reflected rays start above their surface
 constexpr double kFocus = 1.5;  // how fast the mirror image of a matt surface gets blurred, 1 / metres
 
 }  // namespace
@@ -42,7 +42,7 @@ struct Renderer::Implementation {
     const double cosine = std::abs(quad.normal.dot(direction));
     const auto fresnel = static_cast<float>(0.04 + 0.96 * std::pow(1 - cosine, 5));
     const Vector3d mirrored = direction - 2 * quad.normal.dot(direction) * quad.normal;
-    const Vector3d origin = point + kLift * quad.normal;
+    const Vector3d origin = point + kReflectedLift * quad.normal;
     const RayHit hit = rays.Nearest(origin, mirrored);
     Rgb seen = light.mean;
     if (hit.mesh >= 0) {

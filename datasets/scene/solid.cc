@@ -6,7 +6,7 @@
 namespace armature {
 namespace {
 
-constexpr double kTouching = 1e-6;  // cubic metres in common
+constexpr double kCommonVolume = 1e-6;  // cubic metres in common
 
 OrientedBox Placed(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& T_world_frame) {
   return {T_world_frame * Eigen::Translation3d(box.center()), box.sizes()};
@@ -32,7 +32,7 @@ Solid SolidOf(const Mesh& mesh, const Eigen::Isometry3d& T_world_mesh) {
 
 bool Overlap(const Solid& a, const Solid& b) {
   const auto collide = [](const OrientedBox& p, const OrientedBox& q) {
-    return IntersectionVolume(p, q) > kTouching;
+    return IntersectionVolume(p, q) > kCommonVolume;
   };
   return collide(a.around, b.around) &&
          std::any_of(a.parts.begin(), a.parts.end(), [&](const OrientedBox& part) {

@@ -17,9 +17,9 @@ using Eigen::Vector3d;
 
 const Colour kLacquer(0.9, 0.89, 0.86);
 
-unsigned TextureSeed(Random& random) { return static_cast<unsigned>(random.Uniform(0, 1e6)); }
+unsigned PictureSeed(Random& random) { return static_cast<unsigned>(random.Uniform(0, 1e6)); }
 
-Material Plain(const Colour& colour, double gloss) {
+Material WallPaint(const Colour& colour, double gloss) {
   return {Texture::kPlain, colour, 0.9 * colour, 0.1, gloss, 0};
 }
 
@@ -77,24 +77,24 @@ void AddFrame(const Wall& wall, const Vector2d& low, const Vector2d& high, doubl
 void AddDoor(const Wall& wall, double x, const Colour& colour, Mesh* mesh) {
   constexpr double kHalf = 0.48, kTop = 2.06, kCasing = 0.07;  // metres
   const double half = kHalf - kCasing;
-  const Material casing = Plain(kLacquer, 0.3);
+  const Material casing = WallPaint(kLacquer, 0.3);
   AddBlock(wall, {x - kHalf, 0}, {x - half, kTop}, 0, 0.035, casing, mesh);
   AddBlock(wall, {x + half, 0}, {x + kHalf, kTop}, 0, 0.035, casing, mesh);
   AddBlock(wall, {x - half, kTop - kCasing}, {x + half, kTop}, 0, 0.035, casing, mesh);
-  const Material leaf = Plain(colour, 0.3);
+  const Material leaf = WallPaint(colour, 0.3);
   AddBlock(wall, {x - half, 0.01}, {x + half, kTop - kCasing}, 0, 0.02, leaf, mesh);
   AddBlock(wall, {x - half + 0.12, 0.2}, {x + half - 0.12, 0.85}, 0.02, 0.026, leaf, mesh);
   AddBlock(wall, {x - half + 0.12, 1.05}, {x + half - 0.12, 1.85}, 0.02, 0.026, leaf, mesh);
-  AddBlock(wall, {x + half - 0.09, 0.98}, {x + half - 0.05, 1.02}, 0.02, 0.07, Plain({0.6, 0.6, 0.62}, 0.8),
-           mesh);
+  AddBlock(wall, {x + half - 0.09, 0.98}, {x + half - 0.05, 1.02}, 0.02, 0.07,
+           WallPaint({0.6, 0.6, 0.62}, 0.8), mesh);
 }
 
 // Two casements before a bright sky that is no light, and a sill.
 void AddWindow(const Wall& wall, double x, double width, Mesh* mesh) {
   constexpr double kLow = 0.9, kHigh = 2.2, kStrip = 0.06;  // metres
   const double half = 0.5 * width;
-  const Material white = Plain(kLacquer, 0.3);
-  AddSheet(wall, {x - half, kLow}, {x + half, kHigh}, 0.004, Plain({0.78, 0.84, 0.9}, 0.9), mesh);
+  const Material white = WallPaint(kLacquer, 0.3);
+  AddSheet(wall, {x - half, kLow}, {x + half, kHigh}, 0.004, WallPaint({0.78, 0.84, 0.9}, 0.9), mesh);
   AddFrame(wall, {x - half, kLow}, {x, kHigh}, kStrip, 0.04, white, mesh);
   AddFrame(wall, {x, kLow}, {x + half, kHigh}, kStrip, 0.04, white, mesh);
   AddBlock(wall, {x - half - 0.05, kLow - 0.04}, {x + half + 0.05, kLow}, 0, 0.15, white, mesh);
@@ -107,11 +107,11 @@ void AddPicture(const Wall& wall, const Vector2d& centre, const Vector2d& size, 
   const double shade = random.Uniform(0.1, 0.6);
   const Colour wood(shade, 0.85 * shade, 0.7 * shade);
   const Vector2d low = centre - 0.5 * size, high = centre + 0.5 * size;
-  AddFrame(wall, low, high, kFrame, 0.022, Plain(wood, 0.3), mesh);
-  AddSheet(wall, low, high, 0.008, Plain({0.9, 0.89, 0.85}, 0), mesh);
+  AddFrame(wall, low, high, kFrame, 0.022, WallPaint(wood, 0.3), mesh);
+  AddSheet(wall, low, high, 0.008, WallPaint({0.9, 0.89, 0.85}, 0), mesh);
   const Colour first(random.Uniform(0.25, 0.7), random.Uniform(0.3, 0.6), random.Uniform(0.25, 0.65));
   const Colour second(random.Uniform(0.2, 0.8), random.Uniform(0.2, 0.7), random.Uniform(0.15, 0.6));
-  const Material painting{Texture::kPicture, first, second, 0.15, 0.1, TextureSeed(random)};
+  const Material painting{Texture::kPicture, first, second, 0.15, 0.1, PictureSeed(random)};
   AddSheet(wall, low + Vector2d(mat, mat), high - Vector2d(mat, mat), 0.009, painting, mesh);
 }
 
