@@ -41,6 +41,8 @@ TEST(BenchCommand, ComparesEnginesAndDetectorsOnTheSmallScene) {
   EXPECT_EQ(json["spans"][0]["n"], 6);
   EXPECT_EQ(json["calibration_ms"]["n"], 2 * 6);  // in both tables
   ASSERT_EQ(json["tables"].size(), 5u);
+  EXPECT_EQ(json["tables"][3]["table"], "detectors");
+  EXPECT_EQ(json["tables"][3]["sequence"], "den");
   EXPECT_EQ(json["tables"][3]["rows"].size(), 18u);  // detectors
   EXPECT_GT(json["tables"][3]["rows"][0]["recall [%]"], 30);
   EXPECT_GT(json["tables"][3]["rows"][0]["with pose [%]"], 50);

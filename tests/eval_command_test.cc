@@ -38,6 +38,25 @@ TEST(EvalCommand, FindsTheSequenceInAFolderOfSequences) {
   EXPECT_NE(result.out.find("| run "), std::string::npos);
 }
 
+TEST(EvalCommand, KeepsTablesAndRowsInAFolder) {
+  const TrueWorld world;
+  const auto run = world.WriteRun("run", Unchanged, SameName);
+  const std::string out = world.folder / "evaluation";
+  const std::vector<std::string> call{"eval", run, "--groundtruth", world.folder / "sequence", "--out", out};
+  const auto printed = RunOk(call).out;
+  EXPECT_EQ(testing::ReadFile(out + "/tables.txt"), printed);
+  for (const char* file : {"/tables.md", "/tables.csv", "/tables.tex", "/detections.csv"})
+    EXPECT_FALSE(testing::ReadFile(out + file).empty()) << file;
+  const auto json = nlohmann::json::parse(testing::ReadFile(out + "/eval.json"));
+  EXPECT_EQ(json["complete"], true);
+  EXPECT_EQ(json["tables"][0]["table"], "observations");
+  EXPECT_EQ(json["tables"][0]["sequence"], "world");
+  RunOk(call);  // a finished one is replaced, anything else is not
+  ExpectBadInput(
+      {"eval", run, "--groundtruth", world.folder / "sequence", "--out", world.folder / "sequence"},
+      {"sequence", "a finished evaluation"});
+}
+
 TEST(EvalCommand, BadInput) {
   const TrueWorld world;
   const auto run = world.WriteRun("run", Unchanged, SameName);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/reproduce/matrix_yaml.h"
 #include "app/reproduce/read_matrix.h"
 #include "support/expect_input_error.h"
@@ -56,6 +59,15 @@ TEST_F(ReproduceMatrix, TheShippedOneCanBeReadInFullAndFast) {
   EXPECT_NE(full.name, fast.name);
   EXPECT_NE(full.data, fast.data) << "or the pictures of one were rendered again for the other";
   EXPECT_EQ(NamesOfVariants(full), NamesOfVariants(fast));
+}
+
+TEST_F(ReproduceMatrix, TheAblationsAreAllVariants) {
+  const std::filesystem::path configs = std::filesystem::path(ARMATURE_SOURCE_DIR) / "configs";
+  const Names names = NamesOfVariants(ReadMatrix(configs / "ablations.yaml", false));
+  for (const auto& file : std::filesystem::directory_iterator(configs / "ablations")) {
+    const std::string name = file.path().stem().string();
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  }
 }
 
 TEST_F(ReproduceMatrix, FastReplacesWhatItNames) {

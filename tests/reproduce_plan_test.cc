@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/reproduce/plan_jobs.h"
 #include "app/reproduce/shell_text.h"
 #include "support/temp_folder.h"
@@ -51,6 +53,17 @@ TEST(ReproducePlan, CallsAreMadeInTheFolderOfResults) {
             "armature bench ../../data/seq2 --tables comparison --baseline-frames 12 --out timings/stages "
             "--engines "
             "lines --categories categories");
+}
+
+TEST(ReproducePlan, CategoriesThatAreThereAreNotLearnt) {
+  Matrix matrix = PlannedMatrix();
+  matrix.categories.clear();
+  matrix.category_folder = "/models";
+  const std::vector<Job> jobs = PlanRuns(matrix, kFolders);
+  const Job& run = Named("runs/plain/seq2", jobs);
+  EXPECT_NE(CallOf(run).find("--categories ../../models"), std::string::npos) << CallOf(run);
+  EXPECT_NE(std::find(run.inputs.begin(), run.inputs.end(), "../../models"), run.inputs.end());
+  EXPECT_EQ(run.after, std::vector<std::string>{"data"});
 }
 
 TEST(ReproducePlan, OnlyVariantsWithRunsOfTheirOwnAreRun) {

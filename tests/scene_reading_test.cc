@@ -48,6 +48,14 @@ TEST_F(SceneTest, HasDefaultsForAllButTheName) {
   EXPECT_EQ(scene.path.kind, CameraPath::Kind::kLoop);
 }
 
+TEST_F(SceneTest, DrawsHaveOtherSeedsAndNames) {
+  const auto file = folder_.Write("scene.yaml", "name: test\nseed: 7\n");
+  EXPECT_EQ(ReadScene(file, collection_, 1).seed, 7u);
+  EXPECT_EQ(ReadScene(file, collection_, 1).name, "test");
+  EXPECT_EQ(ReadScene(file, collection_, 3).name, "test-draw3");
+  EXPECT_NE(ReadScene(file, collection_, 2).seed, ReadScene(file, collection_, 3).seed);
+}
+
 TEST_F(SceneTest, ReadsEverySection) {
   const Scene scene = Read(
       "about: a room\nseed: 7\nfps: 20\nframes: 30\n"

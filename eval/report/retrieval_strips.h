@@ -19,8 +19,8 @@ struct ObjectSight {
   Box box;                          // undistorted pixels
 };
 
-// The run's trusted observation of the object with the largest box times matches, one that does not touch the image's
-// border where there is such. None: it was never seen.
+// The run's trusted observation of the object with the largest box times matches, one that does not touch the
+// image's border where there is such. None: it was never seen.
 std::optional<ObjectSight> BestSight(const LoadedRun& run, const Sequence& sequence,
                                      const std::string& object);
 

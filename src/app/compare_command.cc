@@ -45,21 +45,22 @@ Comparison Compare(const CompareArguments& arguments) {
 }
 
 CommandHelp CompareHelp() {
-  return {.description =
-              "Puts results side by side with the first of them, A: errors and times are paired by frame, "
-              "detection and "
-              "object where the inputs agree, and the median difference is given with its 95 % interval and "
-              "a mark where "
-              "that leaves out zero. Warns where a pairing says little: other data, another machine, other "
-              "models. Runs "
-              "without ground truth are compared with each other.",
-          .files = {{"RAW", "with --raw: a row a pair"}},
-          .exit_status = {},
-          .examples = {{"two ways of running the same sequences, paired",
-                        "armature compare results/reproduce/runs/objects results/reproduce/runs/fast --categories "
-                        "results/reproduce/categories"},
-                       {"two benchmarks, as Markdown",
-                        "armature compare runs/bench_a runs/bench_b --format markdown"}}};
+  return {
+      .description =
+          "Puts results side by side with the first of them, A: errors and times are paired by frame, "
+          "detection and "
+          "object where the inputs agree, and the median difference is given with its 95 % interval and "
+          "a mark where "
+          "that leaves out zero. Warns where a pairing says little: other data, another machine, other "
+          "models. Runs "
+          "without ground truth are compared with each other.",
+      .files = {{"RAW", "with --raw: a row a pair"}},
+      .exit_status = {},
+      .examples = {
+          {"two ways of running the same sequences, paired",
+           "armature compare results/reproduce/runs/objects results/reproduce/runs/fast --categories "
+           "results/reproduce/categories"},
+          {"two benchmarks, as Markdown", "armature compare runs/bench_a runs/bench_b --format markdown"}}};
 }
 
 }  // namespace

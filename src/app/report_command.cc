@@ -83,7 +83,8 @@ CommandHelp ReportHelp() {
            "armature report results/reproduce/runs/objects --categories results/reproduce/categories --out "
            "report.html"},
           {"with retrieval and times that were measured before",
-           "armature report results/reproduce/runs/objects --eval results/reproduce/evaluation/accuracy --eval "
+           "armature report results/reproduce/runs/objects --eval results/reproduce/evaluation/accuracy "
+           "--eval "
            "results/reproduce/evaluation/retrieval --bench results/reproduce/timings/comparison --library "
            "results/reproduce/library.armlib --categories results/reproduce/categories --out report.html"}}};
 }

@@ -123,12 +123,13 @@ CommandHelp RetrieveHelp() {
                 {"RUN/map.ply, map.png", "with --place: the map with the CAD models in it"},
                 {"OUT", "with --build: the library; with --save-index its search indices beside it"}},
       .exit_status = {},
-      .examples = {{"a library of the generated CAD models",
-                    "armature retrieve --build --cad datasets/generated/cad --categories "
-                    "results/reproduce/categories --out runs/instances.armlib"},
-                   {"the three nearest to each object of all runs, placed in the map",
-                    "armature retrieve results/reproduce/runs/objects --library results/reproduce/library.armlib "
-                    "--categories results/reproduce/categories --place --set retrieval.k=3"}}};
+      .examples = {
+          {"a library of the generated CAD models",
+           "armature retrieve --build --cad datasets/generated/cad --categories "
+           "results/reproduce/categories --out runs/instances.armlib"},
+          {"the three nearest to each object of all runs, placed in the map",
+           "armature retrieve results/reproduce/runs/objects --library results/reproduce/library.armlib "
+           "--categories results/reproduce/categories --place --set retrieval.k=3"}}};
 }
 
 }  // namespace

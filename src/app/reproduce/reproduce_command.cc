@@ -203,7 +203,9 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
   reproduce->add_flag("--fast", a.fast,
                       "few frames, as the matrix's key `fast` says: is everything in place?");
   reproduce
-      ->add_option("--only", a.only, "only these sequences and variants (all where none is named) and timings; results go to NAME-only")
+      ->add_option(
+          "--only", a.only,
+          "only these sequences and variants (all where none is named) and timings; results go to NAME-only")
       ->type_name("NAME")
       ->delimiter(',')
       ->allow_extra_args(false);
