@@ -171,9 +171,7 @@ int RunReproduce(const ReproduceArguments& arguments) {
   try {
     reproduction.Run();
   } catch (const Interrupted&) {
-    Note(fmt::format("what was finished is kept in {}; the same command goes on from there",
-                     results.partial().string()));
-    throw;
+    throw Interrupted({results.partial().string() + ", from where the same command goes on"});
   }
   CollectPictures(results.partial(), matrix);
   WriteAllTables(results.partial(), reproduction.tables(), reproduction.done());
