@@ -87,7 +87,7 @@ TEST_F(ReproduceSmallScene, BadInputIsOneLineAndHarmsNothing) {
   ExpectBadInput(with({"--fast"}), {"fast", "--fast"});
   ExpectBadInput(with({"--name", "a/b"}), {"--name", "a/b"});
   folder_.Write("results/den/mine.txt", "mine");
-  ExpectBadInput(call, {"results/den", "not made by"});
+  ExpectBadInput(call, {"results/den", "is not a folder of results of 'armature reproduce'"});
   EXPECT_EQ(ReadFile(folder_ / "results/den/mine.txt"), "mine");
 }
 

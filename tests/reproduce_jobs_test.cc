@@ -7,8 +7,10 @@
 
 #include "app/reproduce/job_records.h"
 #include "app/reproduce/job_scheduler.h"
+#include "app/reproduce/reproduction_folder.h"
 #include "app/reproduce/shell_text.h"
 #include "io/interrupt.h"
+#include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 
 namespace armature {
@@ -154,6 +156,19 @@ TEST(ReproduceRecords, ASpoiltOneIsNone) {
   EXPECT_EQ(ReadRecord(folder.path(), "runs/a")->key, "k");
   folder.Write("jobs/runs/a.json", "{\"job\": ");
   EXPECT_FALSE(ReadRecord(folder.path(), "runs/a"));
+}
+
+TEST(ReproduceFolder, IsOfOneProgramAtATimeAndPointedToWhenItIsDone) {
+  const TempFolder root;
+  {
+    ReproductionFolder first(root.path(), "name");
+    testing::ExpectInputError([&] { ReproductionFolder(root.path(), "name"); }, {"name", "another"});
+    WriteEnvironment(first.partial(), 1, {});
+    first.Publish();
+  }
+  EXPECT_TRUE(std::filesystem::equivalent(root / "latest", root / "name"));
+  const ReproductionFolder again(root.path(), "name");
+  EXPECT_TRUE(std::filesystem::is_empty(again.partial()));
 }
 
 TEST(ReproduceShellText, QuotesWhatAShellWouldChange) {

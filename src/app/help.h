@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What `armature COMMAND --help` says, and which values the shell offers. A new command:
 //
-//   CLI::App* fold = app.add_subcommand("fold", "Fold paper into furniture");   // the line of `armature
-//   --help` BeginSection(*fold, "What is folded");                                     // heads the options
-//   that follow KnownValues(*fold->add_option("--paper", ...)->type_name("NAME"), {"white", "brown"});
+// clang-format off
+//   CLI::App* fold = app.add_subcommand("fold", "Fold paper into furniture");  // its line in `armature --help`
 //   Describe(*fold, {.description = "Takes ... and writes ...",
 //                    .files = {{"OUT/chair.ply", "the mesh"}},
-//                    .examples = {{"a chair of brown paper", "armature fold --paper brown --out
-//                    runs/folded"}}});
+//                    .examples = {{"a chair of brown paper", "armature fold --paper brown --out runs/folded"}}});
+//   BeginSection(*fold, "What is folded");  // heads the options that follow
+//   KnownValues(*fold->add_option("--paper", ...)->type_name("NAME"), {"white", "brown"});
+// clang-format on
 //
 // The type name says what the shell offers for an option without known values: folders for DIR, files for
 // FILE and PATH. A test parses the examples; they are for the root of the sources, after scripts/run.sh.

@@ -42,6 +42,13 @@ void Exchange(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+void CheckReplaceable(const fs::path& folder, const Replaceable& replaceable) {
+  if (!fs::exists(fs::symlink_status(folder))) return;
+  if (fs::is_directory(folder) && (fs::is_empty(folder) || replaceable.is(folder))) return;
+  throw InputError(fmt::format("{}: exists and is not {}; choose another folder or move it away",
+                               folder.string(), replaceable.what));
+}
+
 void ReplaceFolder(const fs::path& from, const fs::path& to) {
   if (!fs::exists(to)) return fs::rename(from, to);
   Exchange(from, to);
@@ -53,7 +60,7 @@ OutputFolder::OutputFolder(const fs::path& folder, Replaceable replaceable)
     : replaceable_(std::move(replaceable)) {
   try {
     folder_ = Resolved(folder);
-    CheckReplaceable();
+    CheckReplaceable(folder_, replaceable_);
     fs::create_directories(folder_.parent_path());
     partial_ = CreatePartial(folder_);
   } catch (const fs::filesystem_error& error) {
@@ -67,15 +74,8 @@ OutputFolder::~OutputFolder() {
   if (!partial_.empty()) fs::remove_all(partial_, ignored);
 }
 
-void OutputFolder::CheckReplaceable() const {
-  if (!fs::exists(fs::symlink_status(folder_))) return;
-  if (fs::is_directory(folder_) && (fs::is_empty(folder_) || replaceable_.is(folder_))) return;
-  throw InputError(fmt::format("{}: exists and is not {}; choose another folder or move it away",
-                               folder_.string(), replaceable_.what));
-}
-
 void OutputFolder::Publish() {
-  CheckReplaceable();
+  CheckReplaceable(folder_, replaceable_);
   ReplaceFolder(partial_, folder_);
   partial_.clear();
 }

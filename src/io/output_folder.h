@@ -14,6 +14,10 @@ struct Replaceable {
   std::function<bool(const std::filesystem::path& folder)> is;
 };
 
+// Throws InputError when something is at `folder` that must not be replaced: anything but an empty folder or
+// a replaceable one.
+void CheckReplaceable(const std::filesystem::path& folder, const Replaceable& replaceable);
+
 // Puts the finished folder `from` at `to` and removes what was there; in one step where the file system can.
 // Both are on one file system. Throws std::filesystem::filesystem_error.
 void ReplaceFolder(const std::filesystem::path& from, const std::filesystem::path& to);
@@ -38,8 +42,6 @@ class OutputFolder {
   void Publish();
 
  private:
-  void CheckReplaceable() const;
-
   Replaceable replaceable_;
   std::filesystem::path folder_;
   std::filesystem::path partial_;  // empty once published

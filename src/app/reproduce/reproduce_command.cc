@@ -69,7 +69,7 @@ class Reproduction {
     Do("runs and timings", PlanRuns(matrix_, folders_));
     Do("evaluation", PlanEvaluation(matrix_, folders_, done_));
     WriteTables();
-    Do("report", {PlanReport(matrix_, folders_, done_, {"matrix.json"})});
+    Do("report", {PlanReport(matrix_, folders_, done_, {"evaluation/matrix.json"})});
   }
 
   const std::vector<JobRecord>& done() const { return done_; }
@@ -96,7 +96,7 @@ class Reproduction {
     const EvaluatedNumbers numbers(eval);
     tables_ = {MatrixTable(matrix_, done_, numbers)};
     if (auto draws = DrawsTable(matrix_, numbers)) tables_.push_back(std::move(*draws));
-    WriteWholeFile(folders_.results / "matrix.json", FormatTables(tables_, TableFormat::kJson));
+    WriteWholeFile(folders_.results / "evaluation/matrix.json", FormatTables(tables_, TableFormat::kJson));
   }
 
   const Matrix& matrix_;

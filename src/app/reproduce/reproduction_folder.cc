@@ -17,53 +17,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsReproduction(const fs::path& folder) { return SaysComplete(folder / "environment.json"); }
+const Replaceable kReproductions{"a folder of results of 'armature reproduce'", [](const fs::path& folder) {
+                                   return SaysComplete(folder / "environment.json");
+                                 }};
 
-void CheckReplaceable(const fs::path& folder) {
-  if (!fs::exists(fs::symlink_status(folder))) return;
-  if (fs::is_directory(folder) && (fs::is_empty(folder) || IsReproduction(folder))) return;
-  throw InputError(
-      fmt::format("{}: exists and was not made by 'armature reproduce'; choose another --name or --out",
-                  folder.string()));
-}
-
-// So that two programs do not write into one folder.
-int Lock(const fs::path& file, const fs::path& folder) {
-  const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0)
-    throw InputError(
-        fmt::format("{}: cannot be written to; choose another --out", file.parent_path().string()));
+// So that two programs do not write into one folder. Ends with the descriptor, also when the folder is
+// renamed.
+int Lock(const fs::path& folder) {
+  const int lock = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock < 0) throw InputError(fmt::format("{}: cannot be opened; choose another --out", folder.string()));
   if (flock(lock, LOCK_EX | LOCK_NB) == 0) return lock;
   close(lock);
   throw InputError(
-      fmt::format("{}: another 'armature reproduce' is at work on it; wait for it, or choose another "
-                  "--name",
+      fmt::format("{}: another 'armature reproduce' is at work in it; wait for it, or choose another --name",
                   folder.string()));
 }
 
 }  // namespace
 
 ReproductionFolder::ReproductionFolder(const fs::path& root, const std::string& name) {
-  std::error_code failure;
-  fs::create_directories(root, failure);
   const fs::path absolute = fs::weakly_canonical(fs::absolute(root));
   folder_ = absolute / name;
   partial_ = absolute / (name + ".partial");
   latest_ = absolute / "latest";
-  lock_file_ = absolute / (name + ".lock");
-  CheckReplaceable(folder_);
-  lock_ = Lock(lock_file_, folder_);
-  fs::create_directories(partial_);
+  CheckReplaceable(folder_, kReproductions);
+  std::error_code failure;
+  fs::create_directories(partial_, failure);
+  if (failure) {
+    throw InputError(fmt::format("{}: cannot be created ({}); choose another --out", partial_.string(),
+                                 failure.message()));
+  }
+  lock_ = Lock(partial_);
 }
 
-ReproductionFolder::~ReproductionFolder() {
-  std::error_code ignored;
-  fs::remove(lock_file_, ignored);
-  close(lock_);
-}
+ReproductionFolder::~ReproductionFolder() { close(lock_); }
 
 void ReproductionFolder::Publish() {
-  CheckReplaceable(folder_);
+  CheckReplaceable(folder_, kReproductions);
   ReplaceFolder(partial_, folder_);
   const fs::path link = latest_.string() + ".partial";
   fs::remove(link);

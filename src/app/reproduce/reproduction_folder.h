@@ -30,7 +30,7 @@ class ReproductionFolder {
   void Publish();
 
  private:
-  std::filesystem::path folder_, partial_, latest_, lock_file_;
+  std::filesystem::path folder_, partial_, latest_;
   int lock_ = -1;
 };
 
