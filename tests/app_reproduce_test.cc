@@ -67,7 +67,9 @@ TEST_F(ReproduceSmallScene, LeavesResultsATableAndAReportAndTellsWhatFailed) {
 }
 
 TEST_F(ReproduceSmallScene, MakesNothingTwice) {
+  folder_.Write("results/den-only.partial/runs/objects/other/summary.json", "{\"complete\": true}");
   Reproduce({"--only", "objects"});
+  EXPECT_FALSE(fs::exists(folder_ / "results/latest/runs/objects/other")) << "of another matrix";
   EXPECT_TRUE(fs::exists(folder_ / "results/den-only")) << "not in the place of the whole";
   const std::string before = InResults("runs/objects/den/timings.csv");
   const ProgramResult again = Reproduce({"--only", "objects", "--json"});

@@ -54,6 +54,19 @@ Matrix MatrixOf(const ReproduceArguments& a) {
   return matrix;
 }
 
+// An interrupted call may have been of another matrix: its runs are not to be evaluated with those of this
+// one.
+void RemoveOtherRuns(const fs::path& results, const std::vector<Job>& jobs) {
+  std::error_code absent;
+  for (const auto& variant : fs::directory_iterator(results / "runs", absent)) {
+    for (const auto& run : fs::directory_iterator(variant.path(), absent)) {
+      const std::string name = run.path().lexically_relative(results).string();
+      if (std::none_of(jobs.begin(), jobs.end(), [&](const Job& job) { return job.name == name; }))
+        fs::remove_all(run.path());
+    }
+  }
+}
+
 // All jobs of a matrix, phase after phase: what comes later is of what has succeeded before.
 class Reproduction {
  public:
@@ -66,7 +79,9 @@ class Reproduction {
                                     : static_cast<int>(std::thread::hardware_concurrency())) {}
 
   void Run() {
-    Do("runs and timings", PlanRuns(matrix_, folders_));
+    const std::vector<Job> runs = PlanRuns(matrix_, folders_);
+    RemoveOtherRuns(folders_.results, runs);
+    Do("runs and timings", runs);
     Do("evaluation", PlanEvaluation(matrix_, folders_, done_));
     WriteTables();
     Do("report", {PlanReport(matrix_, folders_, done_, {"evaluation/matrix.json"})});
