@@ -59,8 +59,7 @@ Table DifferenceTable(const std::vector<ComparedValues>& compared) {
   for (const ComparedValues& values : compared) table.rows.push_back(DifferenceRow(values));
   table.notes = {
       "B - A: the median of the pairs' differences; from, to: between which it is in 95 of 100 cases (sign "
-      "test; "
-      "neighbouring frames that are alike count as fewer).",
+      "test; neighbouring frames that are alike count as fewer).",
       "B is: lower or higher where 0 is outside of that; same; too few: fewer than six independent pairs. Of "
       "twenty rows, one is marked by chance.",
       "Medians and means are of the pairs alone; only A, only B: values that the other does not have."};

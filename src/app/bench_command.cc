@@ -115,10 +115,9 @@ CommandHelp BenchHelp() {
   return {
       .description =
           "Measures each stage of the pipeline and of its baselines on the same frames, next to what they "
-          "find, "
-          "so that no speed stands without its accuracy: images are loaded and warmed up before the clock "
-          "starts, contenders take turns frame by frame, and below each table stands what is inside each "
-          "span. Small functions, memory and retrieval have tables of their own.",
+          "find, so that no speed stands without its accuracy: images are loaded and warmed up before the "
+          "clock starts, contenders take turns frame by frame, and below each table stands what is inside "
+          "each span. Small functions, memory and retrieval have tables of their own.",
       .files = {{"OUT/bench.json", "environment, settings, all tables and spans; for a later --against"},
                 {"OUT/raw.csv", "every row that was measured"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},

@@ -48,12 +48,9 @@ CommandHelp CompareHelp() {
   return {
       .description =
           "Puts results side by side with the first of them, A: errors and times are paired by frame, "
-          "detection and "
-          "object where the inputs agree, and the median difference is given with its 95 % interval and "
-          "a mark where "
-          "that leaves out zero. Warns where a pairing says little: other data, another machine, other "
-          "models. Runs "
-          "without ground truth are compared with each other.",
+          "detection and object where the inputs agree, and the median difference is given with its 95 % "
+          "interval and a mark where that leaves out zero. Warns where a pairing says little: other data, "
+          "another machine, other models. Runs without ground truth are compared with each other.",
       .files = {{"RAW", "with --raw: a row a pair"}},
       .exit_status = {},
       .examples = {

@@ -156,10 +156,9 @@ CommandHelp EvalHelp() {
   return {
       .description =
           "Compares finished runs with the ground truth of their sequences, which no other command reads, "
-          "and "
-          "prints tables: single views, matched edges, trajectories, objects of the map beside the paper's "
-          "numbers and, with a library, retrieved CAD models. What each number is stands below its table. "
-          "Single trajectory files (TUM, KITTI, EuRoC) can be compared, too.",
+          "and prints tables: single views, matched edges, trajectories, objects of the map beside the "
+          "paper's numbers and, with a library, retrieved CAD models. What each number is stands below its "
+          "table. Single trajectory files (TUM, KITTI, EuRoC) can be compared, too.",
       .files = {{"OUT/eval.json", "all tables and where they are from"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
                 {"OUT/*.csv", "all raw rows: trajectories, detections, objects and, if asked for, edges"}},

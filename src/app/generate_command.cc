@@ -84,8 +84,7 @@ CommandHelp GenerateHelp() {
           "Makes the embedded data: a collection of annotated CAD models of chairs, tables and laptops, and "
           "sequences of rooms with them, rendered, with odometry that drifts, detections that err, and exact "
           "ground truth. The same bytes on every machine; what is there already is not made again. Scenes "
-          "are "
-          "YAML files, also of your own (datasets/README.md).",
+          "are YAML files, also of your own (datasets/README.md).",
       .files = {{"OUT/cad/", "CAD models, their annotated edges and instances.csv"},
                 {"OUT/<scene>/", "a sequence: sequence.yaml, rgb/, detections.csv, odometry.txt; the truth"},
                 {"OUT/contact_sheet.jpg", "some pictures of all sequences"}},

@@ -71,11 +71,9 @@ CommandHelp ReportHelp() {
   return {
       .description =
           "Shows runs, what they were evaluated and timed with, and how, as one HTML page that needs no "
-          "network: "
-          "figures beside the paper's, sortable tables, maps from above, a map in 3D to be turned with the "
-          "mouse, "
-          "frames with their associated edges, retrieved CAD models, and the environment. What is absent (no "
-          "truth, no retrieval, no benchmark) is left out and said.",
+          "network: figures beside the paper's, sortable tables, maps from above, a map in 3D to be turned "
+          "with the mouse, frames with their associated edges, retrieved CAD models, and the environment. "
+          "What is absent (no truth, no retrieval, no benchmark) is left out and said.",
       .files = {{"OUT", "the page: one file, pictures and scripts in it"}},
       .exit_status = {},
       .examples = {
@@ -84,9 +82,9 @@ CommandHelp ReportHelp() {
            "report.html"},
           {"with retrieval and times that were measured before",
            "armature report results/reproduce/runs/objects --eval results/reproduce/evaluation/accuracy "
-           "--eval "
-           "results/reproduce/evaluation/retrieval --bench results/reproduce/timings/comparison --library "
-           "results/reproduce/library.armlib --categories results/reproduce/categories --out report.html"}}};
+           "--eval results/reproduce/evaluation/retrieval --bench results/reproduce/timings/comparison "
+           "--library results/reproduce/library.armlib --categories results/reproduce/categories --out "
+           "report.html"}}};
 }
 
 }  // namespace

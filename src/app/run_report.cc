@@ -76,9 +76,8 @@ Table MapTable(const std::vector<SequenceRunResult>& results) {
   }
   table.notes = {
       "scale: of the odometry, from the objects; +-: its standard deviation as the graph has it; first, "
-      "last: "
-      "at both ends of the sequence. solve: the map of all frames, at the end. back end: that and the map "
-      "while frames come in, over the frames. A dash: no odometry, no map."};
+      "last: at both ends of the sequence. solve: the map of all frames, at the end. back end: that and the "
+      "map while frames come in, over the frames. A dash: no odometry, no map."};
   return table;
 }
 

@@ -68,10 +68,8 @@ Cell Count(const std::optional<double>& value) { return value ? CountCell(std::l
 std::vector<std::string> MatrixNotes() {
   return {
       "found, best, average, worst, spurious, azimuth: of the objects of the map against the true ones, as "
-      "in the "
-      "table of objects; cameras: rmse of their positions, the first pose aligned; views within 15 deg: "
-      "share of "
-      "all detections whose single view has the azimuth right.",
+      "in the table of objects; cameras: rmse of their positions, the first pose aligned; views within 15 "
+      "deg: share of all detections whose single view has the azimuth right.",
       "odometry only: the same run's objects, placed by the odometry alone with the map's scale and "
       "identities."};
 }

@@ -154,15 +154,12 @@ CommandHelp ReproduceHelp() {
   return {
       .description =
           "Does everything: renders the embedded sequences, learns the category models, runs every sequence "
-          "under "
-          "every variant of a matrix, times them against the baselines, retrieves CAD models, compares all "
-          "with the "
-          "truth, and shows it on one page. Runs go side by side on the machine's cores, timings alone.\n\n"
+          "under every variant of a matrix, times them against the baselines, retrieves CAD models, compares "
+          "all with the truth, and shows it on one page. Runs go side by side on the machine's cores, "
+          "timings alone.\n\n"
           "What was finished is not done again while the program, its configuration and the data are the "
-          "same, so an "
-          "interrupted call goes on where it was. A run that fails is told in the table with its reason; the "
-          "rest "
-          "goes on.",
+          "same, so an interrupted call goes on where it was. A run that fails is told in the table with its "
+          "reason; the rest goes on.",
       .files = {{"OUT/NAME/report.html", "the report"},
                 {"OUT/NAME/tables.*", "all tables as txt, md, csv, tex and json"},
                 {"OUT/NAME/README.txt", "what each of the other files is: runs, raw rows, pictures, logs"},
