@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/number_format.h"
 #include "bench/guard/guarded_spans.h"
-#include "io/number_format.h"
 
 namespace armature {
 namespace {

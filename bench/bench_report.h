@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench/harness.h"
-#include "bench/named_span.h"
 #include "bench/sections/line_fit.h"
+#include "io/named_span.h"
 #include "io/text_table.h"
 
 namespace armature {

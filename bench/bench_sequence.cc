@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
 #include "io/image.h"
-#include "io/interrupt.h"
 
 namespace armature {
 namespace {

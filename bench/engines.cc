@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "bench/keypoints/keypoints_engine.h"
 #include "bench/lines_engine.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
 
 namespace armature {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "io/errors.h"
-#include "io/interrupt.h"
-#include "pipeline/stage_clock.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/stage_clock.h"
 
 namespace armature {
 namespace {

@@ -17,8 +17,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/errors.h"
-#include "io/interrupt.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
 
 namespace armature {
 namespace {

@@ -8,17 +8,9 @@
 #include <vector>
 
 #include "bench/harness.h"
-#include "bench/named_span.h"
+#include "io/named_span.h"
 
 namespace armature {
-
-inline constexpr std::string_view kTotal = "total";
-// Association and optimization together: what comes for each object once lines are found.
-inline constexpr std::string_view kProcessing = "association + optimization";
-// The total without the detection.
-inline constexpr std::string_view kOnTop = "on top";
-// What the total holds beside the stages.
-inline constexpr std::string_view kOther = "other";
 
 // Milliseconds of a stage (kBenchStageNames) or of one of the above. None: the engine has no such stage.
 std::optional<double> DurationOf(const BenchRow& row, std::string_view span);

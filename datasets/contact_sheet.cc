@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "io/errors.h"
+#include "base/errors.h"
 #include "io/image.h"
 #include "io/sequence.h"
 

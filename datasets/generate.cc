@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "base/text.h"
 #include "datasets/cad/collection_files.h"
 #include "datasets/generation_stamp.h"
 #include "datasets/render/camera_effects.h"
@@ -20,7 +21,6 @@
 #include "datasets/simulation/visible_objects.h"
 #include "geometry/random.h"
 #include "io/image_writer.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/number_format.h"
 #include "datasets/cad/cad_instance.h"
 #include "geometry/rotation.h"
-#include "io/number_format.h"
 #include "io/trajectory.h"
 
 namespace armature {

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   build-essential g++ cmake ninja-build git ca-certificates
   libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev
-  libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libfmt-dev libspdlog-dev libembree-dev libflann-dev liblz4-dev
+  libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libfmt-dev libembree-dev libflann-dev liblz4-dev
   libpcl-dev
   node-d3 libjs-three
   libgtest-dev chromium gnuplot-nox clang-format clang-tidy

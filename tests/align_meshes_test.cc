@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes turned to annotations that were made in another frame.
-#include "app/align_meshes.h"
+#include "cli/align_meshes.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "datasets/cad/cad_instance.h"
-#include "eval/ground_truth.h"
 #include "geometry/rotation.h"
 #include "io/csv.h"
 #include "io/sequence.h"
 #include "support/small_scene.h"
+#include "truth/ground_truth.h"
 
 namespace armature {
 namespace {

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "app/commands.h"
-#include "app/help.h"
-#include "app/wrapped_text.h"
-#include "io/console.h"
+#include "base/console.h"
+#include "cli/help.h"
+#include "cli/wrapped_text.h"
 #include "support/program.h"
 
 namespace armature {

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "eval/ground_truth.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/sequence.h"
 #include "support/program.h"
 #include "support/shared_data.h"
+#include "truth/ground_truth.h"
 
 namespace armature {
 namespace {

@@ -2,7 +2,7 @@
 // The program as a whole: help, version, presets.
 #include <gtest/gtest.h>
 
-#include "app/configuration.h"
+#include "cli/configuration.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/program.h"

@@ -5,11 +5,11 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "datasets/cad/collection_files.h"
-#include "eval/ground_truth.h"
-#include "eval/placed_objects.h"
 #include "io/csv.h"
 #include "io/mesh_file.h"
+#include "io/placed_objects.h"
 #include "support/small_scene.h"
+#include "truth/ground_truth.h"
 
 namespace armature {
 namespace {

@@ -7,12 +7,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "eval/ground_truth.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/csv.h"
 #include "support/small_scene.h"
 #include "support/tiny_sequence.h"
+#include "truth/ground_truth.h"
 
 namespace armature {
 namespace {

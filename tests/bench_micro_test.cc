@@ -142,7 +142,7 @@ TEST(MicroResection, EstimatesTheObjects) {
   for (const CategoryModel& model : setup.models) {
     const MicroView micro(model, 60, setup.association.box);
     EstimatorTimes times;
-    const ObjectEstimation result = EstimateObject(micro.view, setup.association, setup.resection, times);
+    const SingleViewResult result = EstimateObject(micro.view, setup.association, setup.resection, times);
     EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << model.spec.name;
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()), 0.1) << model.spec.name;
   }

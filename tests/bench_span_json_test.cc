@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/span_json.h"
+#include "io/bench_record.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bench/span_statistics.h"
+#include "base/statistics.h"
 
 namespace armature {
 namespace {

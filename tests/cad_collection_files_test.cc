@@ -4,13 +4,13 @@
 #include <cstring>
 #include <sstream>
 
-#include "app/training_models.h"
 #include "category/learn.h"
 #include "datasets/cad/collection_files.h"
 #include "datasets/cad/ply.h"
 #include "datasets/cad/solids.h"
 #include "io/category_yaml.h"
 #include "io/csv.h"
+#include "io/training_models.h"
 #include "support/category_examples.h"
 #include "support/temp_folder.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "app/training_models.h"
 #include "category/learn.h"
 #include "category/set_comparison.h"
 #include "io/category_yaml.h"
+#include "io/training_models.h"
 #include "support/category_examples.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"

@@ -5,11 +5,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "app/training_models.h"
 #include "category/learn.h"
 #include "category/normalise.h"
 #include "io/annotations.h"
 #include "io/category_yaml.h"
+#include "io/training_models.h"
 #include "support/category_examples.h"
 #include "support/shared_data.h"
 

@@ -2,7 +2,7 @@
 // The table of edge matches, of matches with known answers.
 #include <gtest/gtest.h>
 
-#include "eval/edge_tables.h"
+#include "eval/edges/edge_tables.h"
 #include "support/edge_world.h"
 #include "support/table_cells.h"
 

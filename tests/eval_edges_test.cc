@@ -2,11 +2,11 @@
 // True edges: where CAD annotations come to lie, what of them is seen, which segments are on them.
 #include <gtest/gtest.h>
 
-#include "eval/true_scene.h"
 #include "io/sequence.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"
 #include "support/true_world.h"
+#include "truth/true_scene.h"
 
 namespace armature {
 namespace {

@@ -2,8 +2,8 @@
 // Tables of objects: what they say of known maps, of none, and beside the paper.
 #include <gtest/gtest.h>
 
-#include "eval/normal_term_table.h"
-#include "eval/paper_object_errors.h"
+#include "eval/objects/normal_term_table.h"
+#include "eval/objects/paper_object_errors.h"
 #include "io/csv.h"
 #include "support/expect_input_error.h"
 #include "support/table_cells.h"

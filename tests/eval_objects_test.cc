@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "eval/run_objects.h"
+#include "eval/objects/run_objects.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"
 #include "support/true_map.h"

@@ -2,8 +2,8 @@
 // How an object is turned and tilted against the true one.
 #include <gtest/gtest.h>
 
-#include "eval/orientation_error.h"
 #include "geometry/rotation.h"
+#include "truth/orientation_error.h"
 
 namespace armature {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/compared_values.h"
-#include "eval/paired_difference.h"
+#include "base/paired_difference.h"
+#include "cli/compared_values.h"
 
 namespace armature {
 namespace {

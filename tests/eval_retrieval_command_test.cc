@@ -4,14 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "category/category_lookup.h"
 #include "datasets/cad/collection_files.h"
-#include "eval/category_lookup.h"
-#include "eval/ground_truth.h"
 #include "io/cad_folder.h"
 #include "io/category_yaml.h"
 #include "io/library_file.h"
 #include "support/category_examples.h"
 #include "support/small_scene.h"
+#include "truth/ground_truth.h"
 
 namespace armature {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/retrieval_queries.h"
+#include "eval/retrieval/retrieval_queries.h"
 #include "geometry/random.h"
 #include "support/known_frames.h"
 

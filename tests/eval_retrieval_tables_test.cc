@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/retrieval_tables.h"
-#include "eval/retrieval_variant_tables.h"
+#include "eval/retrieval/retrieval_tables.h"
+#include "eval/retrieval/retrieval_variant_tables.h"
 #include "support/known_frames.h"
 #include "support/table_cells.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/retrieval_ranking.h"
-#include "eval/retrieval_summary.h"
+#include "eval/retrieval/retrieval_ranking.h"
+#include "eval/retrieval/retrieval_summary.h"
 #include "support/expect_input_error.h"
 #include "support/known_frames.h"
 #include "support/map_world.h"

@@ -2,7 +2,7 @@
 // Runs with known errors against a known truth.
 #include <gtest/gtest.h>
 
-#include "eval/evaluation_tables.h"
+#include "eval/views/evaluation_tables.h"
 #include "support/true_world.h"
 
 namespace armature {

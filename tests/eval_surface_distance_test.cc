@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/surface_distance.h"
 #include "geometry/mesh_shapes.h"
+#include "geometry/surface_distance.h"
 
 namespace armature {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/evaluation_tables.h"
+#include "eval/views/evaluation_tables.h"
 #include "support/table_cells.h"
 #include "support/true_world.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eval/trajectory_metrics.h"
-#include "eval/trajectory_tables.h"
+#include "eval/trajectories/trajectory_metrics.h"
+#include "eval/trajectories/trajectory_tables.h"
 #include "geometry/rotation.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"
@@ -39,7 +39,7 @@ std::vector<PosePair> Pairs(const std::vector<TimedPose>& estimate, const std::v
 }
 
 TEST(Statistics, OfHandWrittenErrors) {
-  const auto s = StatisticsOf(std::vector<double>{4, 1, 1, 2});
+  const auto s = SummarizeErrors(std::vector<double>{4, 1, 1, 2});
   ASSERT_TRUE(s);
   EXPECT_EQ(s->count, 4u);
   EXPECT_NEAR(s->rmse, std::sqrt(22.0 / 4), 1e-15);
@@ -48,7 +48,7 @@ TEST(Statistics, OfHandWrittenErrors) {
   EXPECT_EQ(s->max, 4);
   EXPECT_EQ(s->min, 1);
   EXPECT_NEAR(s->std, std::sqrt(6.0 / 4), 1e-15);
-  EXPECT_FALSE(StatisticsOf(std::vector<double>{}));
+  EXPECT_FALSE(SummarizeErrors(std::vector<double>{}));
 }
 
 TEST(AbsoluteError, IsZeroOfTheTruthItself) {

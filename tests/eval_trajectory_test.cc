@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "eval/trajectory_alignment.h"
+#include "eval/trajectories/trajectory_alignment.h"
 #include "geometry/rotation.h"
 #include "support/expect_input_error.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "io/checksum.h"
+#include "base/checksum.h"
 
 namespace armature {
 namespace {

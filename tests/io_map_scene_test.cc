@@ -3,8 +3,8 @@
 
 #include <numbers>
 
+#include "drawing/map_scene.h"
 #include "geometry/mesh_shapes.h"
-#include "io/map_scene.h"
 
 namespace armature {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "io/nearest_name.h"
+#include "base/nearest_name.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "io/overlay.h"
+#include "drawing/overlay.h"
 
 namespace armature {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "io/progress.h"
+#include "base/progress.h"
 
 namespace armature {
 namespace {

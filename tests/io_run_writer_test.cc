@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/statistics.h"
 #include "io/run_writer.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `armature learn`, through its command line.
-#include "app/learn_command.h"
+#include "app/learn/learn_command.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

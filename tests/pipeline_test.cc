@@ -5,12 +5,12 @@
 #include <opencv2/core.hpp>
 
 #include "geometry/rotation.h"
-#include "pipeline/floor_height.h"
 #include "pipeline/frame_pipeline.h"
 #include "pipeline/object_estimator.h"
-#include "pipeline/object_tracks.h"
-#include "pipeline/up_direction.h"
 #include "support/synthetic_view.h"
+#include "tracking/floor_height.h"
+#include "tracking/object_tracks.h"
+#include "tracking/up_direction.h"
 
 namespace armature {
 namespace {
@@ -26,7 +26,7 @@ TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
     SyntheticView synthetic(category, 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d(0.5, -0.5));
     synthetic.view.detection.azimuth = 0.6 + 12 * kDegree;  // the prior is off
     EstimatorTimes times;
-    const ObjectEstimation result = EstimateObject(synthetic.view, {}, {}, times);
+    const SingleViewResult result = EstimateObject(synthetic.view, {}, {}, times);
     EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << category;
     const Eigen::Isometry3d& T = result.estimate.T_camera_object;
     const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
@@ -81,7 +81,7 @@ TEST(ObjectEstimator, ThePrintedVariantRuns) {
   resection.mode = "alternating";
   resection.normal_term = "printed";
   EstimatorTimes times;
-  const ObjectEstimation result = EstimateObject(synthetic.view, association, resection, times);
+  const SingleViewResult result = EstimateObject(synthetic.view, association, resection, times);
   EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());
   EXPECT_EQ(result.estimate.matches.size(),
             synthetic.model.spec.edge_names.size());  // every edge takes a segment
@@ -120,8 +120,8 @@ TEST(UpEstimator, EarlierFramesCountThroughTheOdometry) {
   EXPECT_LT(AngleDeg(estimate.up_camera, T.linear().transpose() * up_odom), 3);
 }
 
-ObjectEstimation MeasuredAs(const PoseAndShape& at) {
-  ObjectEstimation estimation;
+SingleViewResult MeasuredAs(const PoseAndShape& at) {
+  SingleViewResult estimation;
   estimation.estimate.status = EstimateStatus::kOk;
   estimation.estimate.T_camera_object = at.T_camera_object;
   estimation.estimate.coefficients = at.coefficients;

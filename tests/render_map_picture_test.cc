@@ -4,9 +4,9 @@
 
 #include <opencv2/core.hpp>
 
-#include "datasets/render/map_models.h"
-#include "datasets/render/map_picture.h"
-#include "datasets/render/map_view.h"
+#include "drawing/map_models.h"
+#include "drawing/map_picture.h"
+#include "drawing/map_view.h"
 #include "geometry/mesh_shapes.h"
 
 namespace armature {

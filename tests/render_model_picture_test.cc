@@ -3,7 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "datasets/render/model_picture.h"
+#include "drawing/model_picture.h"
 #include "geometry/mesh_shapes.h"
 
 namespace armature {

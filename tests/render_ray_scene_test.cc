@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "datasets/render/ray_scene.h"
+#include "drawing/ray_scene.h"
 #include "render_test_scenes.h"
 
 namespace armature {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "datasets/cad/solids.h"
-#include "datasets/render/ray_scene.h"
+#include "drawing/ray_scene.h"
 #include "geometry/camera.h"
 
 namespace armature::testing {

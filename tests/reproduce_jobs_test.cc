@@ -8,8 +8,8 @@
 #include "app/reproduce/job_records.h"
 #include "app/reproduce/job_scheduler.h"
 #include "app/reproduce/reproduction_folder.h"
-#include "app/reproduce/shell_text.h"
-#include "io/interrupt.h"
+#include "base/interrupt.h"
+#include "base/shell_text.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 

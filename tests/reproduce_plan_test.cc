@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/reproduce/plan_jobs.h"
-#include "app/reproduce/shell_text.h"
+#include "base/shell_text.h"
 #include "support/temp_folder.h"
 
 namespace armature {

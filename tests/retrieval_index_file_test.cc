@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/random.h"
-#include "retrieval/instance_index.h"
+#include "io/index_file.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 
@@ -36,8 +36,8 @@ TEST_P(SavedIndex, AnswersAsTheOneThatWasBuilt) {
   for (const Eigen::Index count : {0, 1, 40, 8000}) {
     const Eigen::MatrixXf features = SavedFeatures(count);
     const InstanceIndex built(features, method);
-    built.Save(folder / "index");
-    const InstanceIndex loaded = InstanceIndex::Load(folder / "index", features, method);
+    WriteIndex(built, folder / "index");
+    const InstanceIndex loaded = ReadIndex(folder / "index", features, method);
     const Eigen::MatrixXf queries = SavedFeatures(20);
     for (const auto& query : queries.colwise()) {
       const Eigen::VectorXf beside = query.array() + 0.1F;
@@ -45,7 +45,7 @@ TEST_P(SavedIndex, AnswersAsTheOneThatWasBuilt) {
       ASSERT_EQ(loaded.Within(beside, 0.8), built.Within(beside, 0.8)) << count;
     }
     EXPECT_EQ(loaded.memory_bytes(), built.memory_bytes());
-    loaded.Save(folder / "again");
+    WriteIndex(loaded, folder / "again");
     EXPECT_TRUE(ReadFile(folder / "again") == ReadFile(folder / "index")) << count;
   }
 }
@@ -54,12 +54,12 @@ TEST_P(SavedIndex, ADamagedFileIsRefused) {
   const TempFolder folder;
   const Eigen::MatrixXf features = SavedFeatures(60);
   const IndexMethod method = SavedMethod(GetParam());
-  InstanceIndex(features, method).Save(folder / "index");
+  WriteIndex(InstanceIndex(features, method), folder / "index");
   const std::string good = ReadFile(folder / "index");
   int files = 0;  // each a new one: to replace one waits for the disk
   const auto expect_refused = [&](const std::string& content) {
     const auto file = folder.Write("damaged" + std::to_string(++files), content);
-    ExpectInputError([&] { InstanceIndex::Load(file, features, method); },
+    ExpectInputError([&] { ReadIndex(file, features, method); },
                      {file.filename(), "armature retrieve --build"});
   };
   for (size_t size = 0; size < good.size(); size += 1 + good.size() / 60)
@@ -71,7 +71,7 @@ TEST_P(SavedIndex, ADamagedFileIsRefused) {
   }
   expect_refused(good + '\n');
   expect_refused("");
-  EXPECT_NO_THROW(InstanceIndex::Load(folder / "index", features, method));
+  EXPECT_NO_THROW(ReadIndex(folder / "index", features, method));
 }
 
 TEST_P(SavedIndex, OtherFeaturesAreRefused) {
@@ -79,7 +79,7 @@ TEST_P(SavedIndex, OtherFeaturesAreRefused) {
   Eigen::MatrixXf features = SavedFeatures(60);
   InstanceIndex(features, SavedMethod(GetParam())).Save(folder / "index");
   const auto expect_refused = [&] {
-    ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, SavedMethod(GetParam())); },
+    ExpectInputError([&] { ReadIndex(folder / "index", features, SavedMethod(GetParam())); },
                      {"other features", "armature retrieve --build"});
   };
   features(3, 17) += 1e-6F;
@@ -94,9 +94,9 @@ TEST(IndexFile, AnotherMethodOrOtherParametersAreRefused) {
   const TempFolder folder;
   const Eigen::MatrixXf features = SavedFeatures(60);
   IndexMethod method = SavedMethod("kdtree");
-  InstanceIndex(features, method).Save(folder / "index");
+  WriteIndex(InstanceIndex(features, method), folder / "index");
   const auto expect_refused = [&](const IndexMethod& other, const std::string& shown) {
-    ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, other); },
+    ExpectInputError([&] { ReadIndex(folder / "index", features, other); },
                      {"another method", "kdtree trees=4 seed=1", shown});
   };
   expect_refused(SavedMethod("kmeans"), "kmeans");
@@ -107,28 +107,28 @@ TEST(IndexFile, AnotherMethodOrOtherParametersAreRefused) {
   other.seed = 2;
   expect_refused(other, "seed=2");
   method.checks = 7;  // not of the structure
-  EXPECT_NO_THROW(InstanceIndex::Load(folder / "index", features, method));
+  EXPECT_NO_THROW(ReadIndex(folder / "index", features, method));
 }
 
 TEST(IndexFile, AnotherVersionIsRefused) {
   const TempFolder folder;
   const Eigen::MatrixXf features = SavedFeatures(6);
-  InstanceIndex(features, {}).Save(folder / "index");
+  WriteIndex(InstanceIndex(features, {}), folder / "index");
   std::string content = ReadFile(folder / "index");
   content.replace(content.find(" 1,"), 3, " 2,");
   folder.Write("index", content);
-  ExpectInputError([&] { InstanceIndex::Load(folder / "index", features, {}); },
+  ExpectInputError([&] { ReadIndex(folder / "index", features, {}); },
                    {"another version", "armature-index 2"});
 }
 
 TEST(IndexFile, AMissingOneIsNamed) {
   const TempFolder folder;
-  ExpectInputError([&] { InstanceIndex::Load(folder / "none", SavedFeatures(6), {}); }, {"none", "exists"});
+  ExpectInputError([&] { ReadIndex(folder / "none", SavedFeatures(6), {}); }, {"none", "exists"});
 }
 
 TEST(IndexFile, AFolderThatIsNotThereIsAnError) {
   const TempFolder folder;
-  EXPECT_THROW(InstanceIndex(SavedFeatures(6), {}).Save("/proc/none/index"), InputError);
+  EXPECT_THROW(WriteIndex(InstanceIndex(SavedFeatures(6), {}), "/proc/none/index"), InputError);
 }
 
 TEST(InstanceIndex, RefusesParametersOutOfRange) {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
 #include "bench/guard/calibration.h"
 #include "bench/spans.h"
-#include "io/errors.h"
 
 namespace armature {
 

@@ -8,7 +8,7 @@
 
 #include "bench/bench_report.h"
 #include "bench/environment.h"
-#include "bench/span_json.h"
+#include "io/bench_record.h"
 
 namespace armature {
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.h"
 #include "bench/guard/guarded_spans.h"
 #include "bench/guard/regression_guard.h"
 #include "bench/spans.h"
-#include "eval/observation_metrics.h"
 #include "io/csv.h"
-#include "io/errors.h"
+#include "truth/observation_metrics.h"
 
 namespace armature {
 namespace {

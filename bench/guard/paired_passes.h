@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "eval/compared_values.h"
+#include "cli/compared_values.h"
 
 namespace armature {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "base/errors.h"
 #include "bench/guard/calibration.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

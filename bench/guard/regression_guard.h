@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/span_json.h"
+#include "io/bench_record.h"
 #include "io/text_table.h"
 
 namespace armature {

@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "base/stage_clock.h"
 #include "bench/keypoints/forward_pass.h"
 #include "bench/keypoints/heat_maps.h"
 #include "bench/keypoints/keypoint_input.h"
 #include "bench/keypoints/keypoint_resection.h"
-#include "pipeline/stage_clock.h"
 
 namespace armature {
 namespace {

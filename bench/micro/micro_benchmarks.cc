@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "bench/micro/micro_association.h"
 #include "bench/micro/micro_neighbours.h"
 #include "bench/micro/micro_pose_graph.h"
 #include "bench/micro/micro_resection.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
 
 namespace armature {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/micro/micro_benchmark.h"
-#include "bench/named_span.h"
+#include "io/named_span.h"
 #include "io/text_table.h"
 
 namespace armature {

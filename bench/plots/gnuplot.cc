@@ -14,7 +14,7 @@
 #include <cstring>
 #include <memory>
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/paper_figures.h"
 #include "bench/plots/plot.h"
 #include "bench/plots/stacked_bars.h"
-#include "bench/sections/paper_figures.h"
 #include "bench/spans.h"
 
 namespace armature {

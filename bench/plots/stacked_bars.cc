@@ -8,8 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/number_format.h"
 #include "bench/plots/gnuplot.h"
-#include "io/number_format.h"
 
 namespace armature {
 namespace {

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/interrupt.h"
-#include "pipeline/stage_clock.h"
+#include "base/interrupt.h"
+#include "base/stage_clock.h"
+#include "io/index_file.h"
 
 namespace armature {
 namespace {
@@ -34,7 +35,7 @@ SavedStructure::SavedStructure(const Eigen::MatrixXf& features, const IndexMetho
   }
   {
     const StageClock clock(costs_.save_ms);
-    built->Save(file_);
+    WriteIndex(*built, file_);
   }
   costs_.memory_mb = static_cast<double>(built->memory_bytes()) / kMegabyte;
   costs_.file_mb = static_cast<double>(fs::file_size(file_)) / kMegabyte;
@@ -49,7 +50,7 @@ InstanceIndex SavedStructure::Load(const IndexMethod& method) {
   Eigen::MatrixXf given = features_;
   costs_.load_ms = 0;
   const StageClock clock(costs_.load_ms);
-  return InstanceIndex::Load(file_, std::move(given), method);
+  return ReadIndex(file_, std::move(given), method);
 }
 
 std::vector<BenchRow> RaceQueries(const InstanceIndex& index, const Eigen::MatrixXf& queries, size_t count,

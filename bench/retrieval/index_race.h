@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/statistics.h"
 #include "bench/harness.h"
 #include "bench/retrieval/synthetic_library.h"
-#include "bench/span_statistics.h"
 #include "retrieval/instance_index.h"
 
 namespace armature {

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "bench/span_statistics.h"
+#include "base/stage_clock.h"
+#include "base/statistics.h"
 #include "io/library_file.h"
-#include "pipeline/stage_clock.h"
 #include "retrieval/shape_distance.h"
 
 namespace armature {

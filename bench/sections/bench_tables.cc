@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "bench/sections/comparison_section.h"
 #include "bench/sections/detectors_section.h"
 #include "bench/sections/objects_section.h"
 #include "bench/sections/pipelined_section.h"
 #include "bench/sections/scaling_section.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
 
 namespace armature {
 

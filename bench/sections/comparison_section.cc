@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <set>
 
+#include "base/errors.h"
+#include "base/paper_figures.h"
 #include "bench/bench_sequence.h"
 #include "bench/sections/calibrated_race.h"
-#include "bench/sections/paper_figures.h"
 #include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

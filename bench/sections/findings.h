@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "bench/sections/frame_truth.h"
-#include "eval/observation_metrics.h"
 #include "resection/object_estimate.h"
+#include "truth/observation_metrics.h"
 
 namespace armature {
 
 // Pixels of true visible edges.
 struct EdgeRecall {
   double visible = 0;
-  double covered = 0;  // beside which some segment runs, see CoveredLength of eval/visible_edges.h
+  double covered = 0;  // beside which some segment runs, see CoveredLength of truth/visible_edges.h
 };
 
 struct Findings {

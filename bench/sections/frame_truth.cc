@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/sections/frame_truth.h"
 
-#include "eval/category_lookup.h"
-#include "eval/sequence_truth.h"
-#include "eval/true_scene.h"
-#include "io/interrupt.h"
+#include "base/interrupt.h"
+#include "category/category_lookup.h"
+#include "truth/sequence_truth.h"
+#include "truth/true_scene.h"
 
 namespace armature {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "bench/engine.h"
 #include "category/category_model.h"
-#include "eval/cad_library.h"
-#include "eval/visible_edges.h"
+#include "truth/cad_library.h"
+#include "truth/visible_edges.h"
 
 namespace armature {
 

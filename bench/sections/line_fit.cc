@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/sections/line_fit.h"
 
-#include "bench/span_statistics.h"
+#include "base/statistics.h"
 
 namespace armature {
 namespace {

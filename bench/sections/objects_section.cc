@@ -9,9 +9,9 @@
 #include <deque>
 #include <map>
 
+#include "base/paper_figures.h"
 #include "bench/bench_sequence.h"
 #include "bench/sections/calibrated_race.h"
-#include "bench/sections/paper_figures.h"
 #include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"

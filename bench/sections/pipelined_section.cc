@@ -9,9 +9,9 @@
 #include <map>
 #include <optional>
 
+#include "base/interrupt.h"
 #include "bench/lines_engine.h"
 #include "bench/spans.h"
-#include "io/interrupt.h"
 #include "pipeline/one_ahead.h"
 
 namespace armature {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "bench/guard/calibration.h"
 #include "bench/retrieval/index_race.h"
 #include "bench/retrieval/library_costs.h"
 #include "bench/sections/bench_tables.h"
-#include "io/errors.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

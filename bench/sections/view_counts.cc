@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "association/hypotheses.h"
-#include "eval/category_lookup.h"
+#include "category/category_lookup.h"
 #include "lines/selection.h"
 
 namespace armature {

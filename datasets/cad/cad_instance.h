@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "category/category_model.h"
-#include "datasets/cad/mesh.h"
+#include "drawing/mesh.h"
 
 namespace armature {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/interrupt.h"
+#include "base/number_format.h"
 #include "datasets/cad/ply.h"
-#include "io/interrupt.h"
-#include "io/number_format.h"
 
 namespace armature {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "datasets/cad/mesh.h"
+#include "drawing/mesh.h"
 
 namespace armature {
 

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "datasets/render/noise.h"
+#include "drawing/noise.h"
 #include "geometry/random.h"
 
 namespace armature {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "datasets/render/sampling.h"
 #include "datasets/render/texture_functions.h"
+#include "drawing/sampling.h"
 
 namespace armature {
 

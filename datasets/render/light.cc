@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/render/noise.h"
-#include "datasets/render/sampling.h"
-#include "io/interrupt.h"
+#include "base/interrupt.h"
+#include "drawing/noise.h"
+#include "drawing/sampling.h"
 
 namespace armature {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/interrupt.h"
 #include "datasets/render/light.h"
-#include "datasets/render/sampling.h"
 #include "datasets/render/surfaces.h"
 #include "datasets/render/texture_functions.h"
-#include "io/interrupt.h"
+#include "drawing/sampling.h"
 
 namespace armature {
 namespace {

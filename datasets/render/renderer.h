@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "datasets/render/ray_scene.h"
+#include "drawing/ray_scene.h"
 #include "geometry/camera.h"
 
 namespace armature {

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "datasets/render/ray_scene.h"
 #include "datasets/render/textures.h"
+#include "drawing/ray_scene.h"
 
 namespace armature {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "datasets/render/noise.h"
 #include "datasets/render/textures.h"
+#include "drawing/noise.h"
 
 namespace armature {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "datasets/cad/mesh.h"
+#include "drawing/mesh.h"
 
 namespace armature {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "datasets/cad/mesh.h"
+#include "drawing/mesh.h"
 #include "geometry/random.h"
 
 namespace armature {

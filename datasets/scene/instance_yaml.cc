@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 #include "datasets/scene/scene_fields.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

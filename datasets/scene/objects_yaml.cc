@@ -2,14 +2,14 @@
 // Objects and clutter of a scene file.
 #include <fmt/format.h>
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "datasets/scene/clutter.h"
 #include "datasets/scene/instance_yaml.h"
 #include "datasets/scene/place_yaml.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
 #include "geometry/random.h"
-#include "io/errors.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.h"
 #include "datasets/scene/solid.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

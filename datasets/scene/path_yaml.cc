@@ -2,9 +2,9 @@
 // The camera's path in a scene file.
 #include <fmt/format.h>
 
+#include "base/errors.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 #include "datasets/scene/scene_fields.h"
 #include "geometry/rotation.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "datasets/render/ray_scene.h"
 #include "datasets/scene/scene.h"
+#include "drawing/ray_scene.h"
 
 namespace armature {
 

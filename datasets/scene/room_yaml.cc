@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
+#include "base/errors.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/option_value.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

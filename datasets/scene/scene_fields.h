@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "datasets/cad/mesh.h"
+#include "base/option_entry.h"
+#include "drawing/mesh.h"
 #include "io/yaml_support.h"
-#include "pipeline/option_entry.h"
 
 namespace armature {
 

@@ -6,6 +6,7 @@
 #include "datasets/scene/path_check.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
+#include "io/sequence.h"
 
 namespace armature {
 namespace {
@@ -24,10 +25,6 @@ void ReadHead(const YamlMap& map, int draw, Scene* scene) {
 }
 
 }  // namespace
-
-std::string NameOfDraw(const std::string& scene, int draw) {
-  return draw == 1 ? scene : fmt::format("{}-draw{}", scene, draw);
-}
 
 Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance>& collection, int draw) {
   const YamlMap map = YamlMap::Load(file);

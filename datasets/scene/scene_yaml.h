@@ -16,7 +16,4 @@ namespace armature {
 // scene with its own seed; 2, 3, ...: with others, and with NameOfDraw as its name.
 Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance>& collection, int draw = 1);
 
-// "seq1", "seq1-draw2", "seq1-draw3", ...
-std::string NameOfDraw(const std::string& scene, int draw);
-
 }  // namespace armature

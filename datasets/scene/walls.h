@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "datasets/cad/mesh.h"
 #include "datasets/scene/scene.h"
+#include "drawing/mesh.h"
 #include "geometry/random.h"
 
 namespace armature {

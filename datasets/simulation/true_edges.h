@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "category/category_model.h"
-#include "datasets/render/ray_scene.h"
+#include "drawing/ray_scene.h"
 #include "geometry/camera.h"
 #include "geometry/segment.h"
 

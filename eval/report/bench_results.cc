@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bench/span_json.h"
-#include "bench/spans.h"
+#include "base/errors.h"
 #include "eval/report/table_json.h"
-#include "io/errors.h"
+#include "io/bench_record.h"
+#include "io/named_span.h"
 
 namespace armature {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/named_span.h"
 #include "eval/report/report_data.h"
+#include "io/named_span.h"
 
 namespace armature {
 

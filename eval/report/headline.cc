@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <set>
 
-#include "bench/sections/paper_figures.h"
-#include "bench/spans.h"
+#include "base/number_format.h"
+#include "base/paper_figures.h"
 #include "eval/report/table_lookup.h"
-#include "io/number_format.h"
+#include "io/named_span.h"
 
 namespace armature {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "drawing/overlay.h"
 #include "eval/report/encoded_picture.h"
 #include "io/image.h"
-#include "io/overlay.h"
 #include "io/run_summary.h"
 
 namespace armature {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <map>
 
-#include "datasets/render/model_picture.h"
+#include "base/errors.h"
+#include "drawing/model_picture.h"
 #include "eval/report/encoded_picture.h"
 #include "eval/report/retrieved_models.h"
-#include "io/errors.h"
 #include "io/image.h"
 
 namespace armature {

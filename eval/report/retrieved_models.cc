@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "eval/csv_pose.h"
+#include "base/errors.h"
 #include "io/csv.h"
-#include "io/errors.h"
+#include "io/csv_pose.h"
 #include "io/mesh_file.h"
 
 namespace armature {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/errors.h"
 #include "eval/report/table_json.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

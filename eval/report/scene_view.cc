@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
+#include "base/errors.h"
+#include "drawing/map_scene.h"
 #include "eval/report/retrieved_models.h"
-#include "io/errors.h"
-#include "io/map_scene.h"
 
 namespace armature {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "eval/category_lookup.h"
-#include "io/errors.h"
+#include "base/errors.h"
+#include "category/category_lookup.h"
 #include "io/shape_evidence_csv.h"
 
 namespace armature {

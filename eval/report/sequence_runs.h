@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "eval/objects/run_objects.h"
 #include "eval/report/report_sources.h"
-#include "eval/run_objects.h"
 #include "io/sequence.h"
 
 namespace armature {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {

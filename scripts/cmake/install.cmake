@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What `cmake --install` puts where. Nothing in it names the prefix, which may be moved afterwards.
-#   bin/armature, share/armature   the program and its data, as app/data_folders.h looks for them
+#   bin/armature, share/armature   the program and its data, as cli/data_folders.h looks for them
 #   include/armature, lib          the libraries: armature::armature, armature::eval, armature::bench, ...
 #   lib/cmake/armature             find_package(armature)
 include(GNUInstallDirs)
@@ -26,9 +26,10 @@ install(CODE [[
 ]])
 
 # armature_NAME is armature::NAME in other projects. The flags have to be there because the others name them.
-set(libraries armature armature_bench armature_datasets armature_eval armature_flags)
+get_property(floors GLOBAL PROPERTY ARMATURE_FLOORS)
+set(libraries armature armature_flags ${floors})
 foreach(library ${libraries})
-  string(REPLACE armature_ "" name ${library})
+  string(REGEX REPLACE "^armature_" "" name ${library})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
 endforeach()
 install(TARGETS ${libraries} EXPORT armatureTargets ARCHIVE INCLUDES DESTINATION ${headers})

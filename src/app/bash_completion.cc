@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "app/help.h"
+#include "cli/help.h"
 
 namespace armature {
 namespace {

@@ -3,21 +3,23 @@
 
 #include <fmt/format.h>
 
-#include "app/bench_command.h"
-#include "app/compare_command.h"
 #include "app/completion_command.h"
-#include "app/eval_command.h"
-#include "app/generate_command.h"
-#include "app/help.h"
-#include "app/learn_command.h"
-#include "app/photo_command.h"
+#include "app/learn/learn_command.h"
 #include "app/posegraph_command.h"
-#include "app/report_command.h"
 #include "app/reproduce/reproduce_command.h"
-#include "app/retrieve_command.h"
-#include "app/run_command.h"
+#include "app/retrieve/retrieve_command.h"
+#include "app/run/photo_command.h"
+#include "app/run/run_command.h"
+#include "base/console.h"
+#include "bench/bench_command.h"
+#include "bench/compare_benches.h"
+#include "cli/help.h"
+#include "datasets/cad/families.h"
+#include "datasets/generate_command.h"
+#include "eval/compare_command.h"
+#include "eval/eval_command.h"
+#include "eval/report/report_command.h"
 #include "io/build_info.h"
-#include "io/console.h"
 
 namespace armature {
 namespace {
@@ -49,12 +51,12 @@ void AddCommands(CLI::App& program, int& exit_status) {
   program.require_subcommand(1);
   AddReproduceCommand(program, exit_status);
   AddGenerateCommand(program, exit_status);
-  AddLearnCommand(program, exit_status);
+  AddLearnCommand(program, SampleFamily, exit_status);
   AddRunCommand(program, exit_status);
   AddPhotoCommand(program, exit_status);
   AddRetrieveCommand(program, exit_status);
   AddEvalCommand(program, exit_status);
-  AddCompareCommand(program, exit_status);
+  AddCompareCommand(program, CompareBenches, exit_status);
   AddBenchCommand(program, exit_status);
   AddReportCommand(program, exit_status);
   AddPoseGraphCommand(program, exit_status);

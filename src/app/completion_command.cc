@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "app/bash_completion.h"
-#include "app/help.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "cli/help.h"
 
 namespace armature {
 namespace {

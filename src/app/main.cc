@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "io/console.h"
-#include "io/errors.h"
-#include "io/interrupt.h"
-#include "io/nearest_name.h"
+#include "base/console.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/nearest_name.h"
 
 namespace armature {
 namespace {

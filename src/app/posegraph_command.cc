@@ -8,11 +8,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/help.h"
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/nearest_name.h"
+#include "cli/help.h"
 #include "io/g2o.h"
-#include "io/interrupt.h"
-#include "io/nearest_name.h"
 #include "io/text_table.h"
 #include "mapping/pose_graph.h"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace armature {
 namespace {
@@ -108,6 +109,12 @@ Matching MatchSegments(const ProjectedWireframe& projected, const std::vector<Se
     matching.covered_length += std::min(covered[e], edge.length * edge.visible_share);
   }
   return matching;
+}
+
+int MatchedEdges(const std::vector<EdgeMatch>& matches) {
+  std::set<int> edges;
+  for (const EdgeMatch& match : matches) edges.insert(match.edge);
+  return static_cast<int>(edges.size());
 }
 
 }  // namespace armature

@@ -10,8 +10,8 @@
 
 #include <vector>
 
+#include "association/edge_match.h"
 #include "association/projection.h"
-#include "resection/object_estimate.h"
 
 namespace armature {
 

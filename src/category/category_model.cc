@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "io/checksum.h"
+#include "base/checksum.h"
 
 namespace armature {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.h"
 #include "category/learn.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

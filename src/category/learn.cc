@@ -6,9 +6,9 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "base/errors.h"
 #include "category/dictionary.h"
 #include "category/normalise.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

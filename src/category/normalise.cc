@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/errors.h"
 #include "category/learn.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "io/annotation_tables.h"
 #include "io/csv.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
 
 namespace armature {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/text.h"
+#include "base/text.h"
 
 namespace armature {
 

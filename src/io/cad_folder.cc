@@ -7,11 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "base/errors.h"
 #include "category/normalise.h"
 #include "io/annotation_tables.h"
 #include "io/annotations.h"
 #include "io/box_table.h"
-#include "io/errors.h"
 #include "io/generated_cad.h"
 
 namespace armature {

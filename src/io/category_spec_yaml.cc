@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
 
 namespace armature {
 namespace {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/errors.h"
 #include "category/learn.h"
 #include "io/category_spec_yaml.h"
-#include "io/errors.h"
 #include "io/whole_file.h"
 
 namespace armature {

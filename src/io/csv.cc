@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
 
 namespace armature {
 const std::string& CsvRow::Text(const std::string& column) const {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/text.h"
+#include "base/text.h"
 
 namespace armature {
 

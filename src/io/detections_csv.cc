@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "geometry/rotation.h"
 #include "io/csv.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
 #include "io/sequence.h"
 
 namespace armature {

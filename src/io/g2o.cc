@@ -10,10 +10,10 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/number_format.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/number_format.h"
+#include "base/text.h"
 #include "mapping/free_poses.h"
 #include "mapping/spanning_tree.h"
 #include "mapping/square_root_information.h"

@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
+#include "base/errors.h"
 #include "io/annotations.h"
 #include "io/csv.h"
-#include "io/errors.h"
 
 namespace armature {
 namespace {

@@ -7,8 +7,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {

@@ -2,9 +2,9 @@
 // rgb.txt: `timestamp filename` a line.
 #include <fmt/format.h>
 
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/sequence.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "io/errors.h"
+#include "base/errors.h"
 #include "io/whole_file.h"
 
 namespace armature {

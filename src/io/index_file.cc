@@ -4,9 +4,9 @@
 #include <flann/config.h>
 #include <fmt/format.h>
 
-#include "io/checksum.h"
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/checksum.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/whole_file.h"
 
 namespace armature {
@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kFormat = "armature-index ";
-const std::string kVersion = kFormat + "1, FLANN " FLANN_VERSION_;
-constexpr const char* kRemedy = "build it again with 'armature retrieve --build'";
+const std::string kIndexFormat = "armature-index ";
+const std::string kIndexVersion = kIndexFormat + "1, FLANN " FLANN_VERSION_;
+constexpr const char* kRebuild = "build it again with 'armature retrieve --build'";
 
 std::string MethodLine(const std::string& method) { return "method " + method; }
 
@@ -40,40 +40,43 @@ std::string_view TakeLine(std::string_view& content) {
 }
 
 [[noreturn]] void Refuse(const fs::path& file, const std::string& why) {
-  throw InputError(fmt::format("{}: {}; {}", file.string(), why, kRemedy));
+  throw InputError(fmt::format("{}: {}; {}", file.string(), why, kRebuild));
 }
 
-void CheckVersion(const fs::path& file, std::string_view line) {
-  if (!line.starts_with(kFormat)) Refuse(file, "is not an index of instances, or a damaged one");
-  if (line != kVersion) {
-    Refuse(file,
-           fmt::format("is of another version: {}, not {}", Quoted(std::string(line)), Quoted(kVersion)));
+void CheckIndexVersion(const fs::path& file, std::string_view line) {
+  if (!line.starts_with(kIndexFormat)) Refuse(file, "is not an index of instances, or a damaged one");
+  if (line != kIndexVersion) {
+    Refuse(file, fmt::format("is of another version: {}, not {}", Quoted(std::string(line)),
+                             Quoted(kIndexVersion)));
   }
 }
 
 }  // namespace
 
-void WriteIndexFile(const fs::path& file, const std::string& method, const Eigen::MatrixXf& features,
-                    const std::string& payload) {
+void WriteIndex(const InstanceIndex& index, const fs::path& file) {
+  const std::string payload = index.Saved();
   std::string content;
-  for (const std::string& line : {kVersion, MethodLine(method), FeaturesLine(features), PayloadLine(payload)})
+  for (const std::string& line :
+       {kIndexVersion, MethodLine(index.Description()), FeaturesLine(index.features()), PayloadLine(payload)})
     content += line + '\n';
   WriteWholeFile(file, content + payload);
 }
 
-std::string ReadIndexFile(const fs::path& file, const std::string& method, const Eigen::MatrixXf& features) {
+InstanceIndex ReadIndex(const fs::path& file, Eigen::MatrixXf features, const IndexMethod& method) {
   std::string content = ReadTextFile(file);
   std::string_view rest = content;
-  CheckVersion(file, TakeLine(rest));
+  CheckIndexVersion(file, TakeLine(rest));
   const std::string_view built = TakeLine(rest);
-  if (built != MethodLine(method)) {
+  const std::string wanted = MethodLine(DescribeMethod(method));
+  if (built != wanted) {
     Refuse(file, fmt::format("is of another method, or damaged: {}, not {}", Quoted(std::string(built)),
-                             Quoted(MethodLine(method))));
+                             Quoted(wanted)));
   }
   if (TakeLine(rest) != FeaturesLine(features)) Refuse(file, "was built from other features, or is damaged");
   const std::string_view said = TakeLine(rest);
   if (said != PayloadLine(rest)) Refuse(file, "is damaged: cut short, or changed since it was written");
-  return content.erase(0, content.size() - rest.size());
+  return InstanceIndex::FromSaved(content.erase(0, content.size() - rest.size()), std::move(features),
+                                  method);
 }
 
 }  // namespace armature

@@ -9,16 +9,17 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <string>
+
+#include "retrieval/instance_index.h"
 
 namespace armature {
 
 // Written aside and renamed. Throws InputError when it cannot be written.
-void WriteIndexFile(const std::filesystem::path& file, const std::string& method,
-                    const Eigen::MatrixXf& features, const std::string& payload);
+void WriteIndex(const InstanceIndex& index, const std::filesystem::path& file);
 
-// The bytes, when the lines say what is expected. Throws InputError as InstanceIndex::Load.
-std::string ReadIndexFile(const std::filesystem::path& file, const std::string& method,
-                          const Eigen::MatrixXf& features);
+// Throws InputError naming the file and the remedy: missing, cut short, corrupt, of another version, of
+// another method or other parameters than `method`, of other features (D x N, see InstanceIndex).
+InstanceIndex ReadIndex(const std::filesystem::path& file, Eigen::MatrixXf features,
+                        const IndexMethod& method);
 
 }  // namespace armature

@@ -8,9 +8,9 @@
 #include <span>
 #include <string_view>
 
-#include "io/checksum.h"
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/checksum.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/whole_file.h"
 
 namespace armature {

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <thread>
 
+#include "base/text.h"
 #include "io/build_info.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

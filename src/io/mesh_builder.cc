@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature {
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "geometry/mesh_shapes.h"
 #include "io/box_table.h"
-#include "io/errors.h"
 #include "io/ply_mesh.h"
-#include "io/text.h"
 #include "io/text_mesh.h"
 
 namespace armature {

@@ -7,9 +7,9 @@
 #include <cctype>
 #include <cmath>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {

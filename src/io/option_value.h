@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "pipeline/option_entry.h"
+#include "base/option_entry.h"
 
 namespace armature {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <set>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 #include "io/option_value.h"
-#include "io/text.h"
 #include "io/yaml_support.h"
 
 namespace armature {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/option_entry.h"
+#include "base/option_entry.h"
 
 namespace armature {
 

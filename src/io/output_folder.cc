@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <stdio.h>  // NOLINT: renameat2 is Linux
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature {
 namespace {

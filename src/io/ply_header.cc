@@ -11,8 +11,8 @@
 #include <sstream>
 #include <string>
 
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {

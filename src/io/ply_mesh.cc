@@ -11,7 +11,7 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "io/errors.h"
+#include "base/errors.h"
 #include "io/mesh_builder.h"
 #include "io/mesh_file.h"
 #include "io/ply_header.h"

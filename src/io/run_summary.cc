@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/statistics.h"
 #include "io/build_info.h"
 
 namespace armature {
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 double Rounded(double value) { return std::round(value * 1000) / 1000; }
 
-Json QuantileJson(const std::vector<float>& values, double fraction) {
+Json QuantileJson(const std::vector<double>& values, double fraction) {
   const std::optional<double> value = Quantile(values, fraction);
   return value ? Json(Rounded(*value)) : Json(nullptr);
 }

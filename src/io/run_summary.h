@@ -44,8 +44,8 @@ struct MapSummary {
 
 // How fast frames came out, the writing of the run folder included.
 struct FramePace {
-  std::vector<float> latency_ms;  // from the loaded image to the frame's result, a value a processed frame
-  double frames_per_second = 0;   // over all frames, loading them as well
+  std::vector<double> latency_ms;  // from the loaded image to the frame's result, a value a processed frame
+  double frames_per_second = 0;    // over all frames, loading them as well
 };
 
 // What the caller knows about the run.

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "io/number_format.h"
+#include "base/number_format.h"
 #include "io/shape_evidence_csv.h"
 
 namespace armature {

@@ -5,8 +5,8 @@
 
 #include <utility>
 
-#include "io/console.h"
-#include "io/errors.h"
+#include "base/console.h"
+#include "base/errors.h"
 #include "io/trajectory_formats.h"
 
 namespace armature {
@@ -61,6 +61,10 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   Detail(fmt::format("read {}: {} images, {} poses of odometry", folder.string(), sequence.images.size(),
                      sequence.odometry.size()));
   return sequence;
+}
+
+std::string NameOfDraw(const std::string& scene, int draw) {
+  return draw == 1 ? scene : fmt::format("{}-draw{}", scene, draw);
 }
 
 }  // namespace armature

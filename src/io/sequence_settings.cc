@@ -2,9 +2,9 @@
 // sequence.yaml
 #include <fmt/format.h>
 
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/sequence.h"
-#include "io/text.h"
 #include "io/yaml_support.h"
 
 namespace armature {

@@ -5,9 +5,9 @@
 
 #include <charconv>
 
+#include "base/errors.h"
+#include "base/number_format.h"
 #include "io/csv.h"
-#include "io/errors.h"
-#include "io/number_format.h"
 
 namespace armature {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Medians and percentiles of the stages' times.
+// The times of each stage, frame by frame.
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,16 +10,12 @@
 
 namespace armature {
 
-// The value below which the fraction of the values lies, linear between neighbours (numpy's default); none
-// for no value.
-std::optional<double> Quantile(std::vector<float> values, double fraction);
-
-// Keeps one float a stage and frame.
+// Keeps a number a stage and frame.
 class StageStatistics {
  public:
   struct Stage {
     std::string name;
-    std::vector<float> milliseconds;  // a value a frame
+    std::vector<double> milliseconds;  // a value a frame
   };
 
   void Add(const StageTimes& times);

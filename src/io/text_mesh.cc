@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "io/errors.h"
+#include "base/errors.h"
+#include "base/text.h"
 #include "io/mesh_builder.h"
-#include "io/text.h"
 
 namespace armature {
 namespace {

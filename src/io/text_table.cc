@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/number_format.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/number_format.h"
 
 namespace armature {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "io/number_format.h"
+#include "base/number_format.h"
 #include "io/trajectory_formats.h"
 
 namespace armature {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
-#include "io/text.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 
 namespace armature {
 

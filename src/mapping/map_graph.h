@@ -19,16 +19,9 @@
 #include "association/object_view.h"
 #include "category/category_model.h"
 #include "geometry/se3.h"
+#include "odometry/scale_estimate.h"
 
 namespace armature {
-
-// The odometry's scale before the map is solved. What is Gaussian is its logarithm.
-struct ScaleEstimate {
-  double scale = 1;  // metres a unit of odometry
-  double sigma = 3;  // standard deviation of its logarithm
-
-  bool IsKnown() const { return sigma < 0.1; }
-};
 
 struct GraphObject {
   const CategoryModel* model = nullptr;

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <utility>
 
+#include "base/stage_clock.h"
 #include "geometry/rotation.h"
 #include "pipeline/object_estimator.h"
 #include "pipeline/object_views.h"
-#include "pipeline/stage_clock.h"
 
 namespace armature {
 namespace {
@@ -72,7 +72,7 @@ FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given)
     views = ViewsOf(input, result);
     tracks = Recall(input, views);
   }
-  const std::vector<ObjectEstimation> estimations = EstimateObjects(input, views, result.times);
+  const std::vector<SingleViewResult> estimations = EstimateObjects(input, views, result.times);
   for (size_t i = 0; i < views.size(); ++i) {
     result.observations.push_back({input.detections[i], estimations[i].initial.T_camera_object,
                                    estimations[i].initial.coefficients, estimations[i].estimate});
@@ -106,10 +106,10 @@ std::vector<int> FramePipeline::Recall(const FrameInput& input, std::vector<Obje
   return tracks;
 }
 
-std::vector<ObjectEstimation> FramePipeline::EstimateObjects(const FrameInput& input,
+std::vector<SingleViewResult> FramePipeline::EstimateObjects(const FrameInput& input,
                                                              std::vector<ObjectView>& views,
                                                              StageTimes& times) const {
-  std::vector<ObjectEstimation> estimations(views.size());
+  std::vector<SingleViewResult> estimations(views.size());
   std::vector<ImageFace> occluders;
   for (const size_t i : LargestFirst(input.detections)) {
     EstimatorTimes spent;
@@ -129,7 +129,7 @@ std::vector<ObjectEstimation> FramePipeline::EstimateObjects(const FrameInput& i
 }
 
 void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
-                                 const std::vector<ObjectEstimation>& estimations, std::vector<int>& tracks) {
+                                 const std::vector<SingleViewResult>& estimations, std::vector<int>& tracks) {
   for (size_t i = 0; i < views.size(); ++i) {
     const int track = std::exchange(tracks[i], -1);
     const ObjectEstimate& estimate = estimations[i].estimate;
@@ -144,7 +144,7 @@ void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<Obje
 
 void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& result,
                              const std::vector<ObjectView>& views,
-                             const std::vector<ObjectEstimation>& estimations,
+                             const std::vector<SingleViewResult>& estimations,
                              const std::vector<int>& tracks) {
   if (!input.T_odom_camera) return;
   MapFrame frame;
@@ -211,7 +211,7 @@ UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segmen
   return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
 }
 
-void FramePipeline::LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations) {
+void FramePipeline::LearnUp(const FrameResult& result, const std::vector<SingleViewResult>& estimations) {
   std::vector<UpVote> votes;
   for (size_t i = 0; i < estimations.size(); ++i) {
     if (estimations[i].estimate.status != EstimateStatus::kOk) continue;

@@ -11,10 +11,10 @@
 #include "geometry/camera.h"
 #include "lines/line_detector.h"
 #include "mapping/object_map.h"
-#include "pipeline/floor_height.h"
 #include "pipeline/frame_result.h"
 #include "pipeline/options.h"
-#include "pipeline/up_direction.h"
+#include "tracking/floor_height.h"
+#include "tracking/up_direction.h"
 
 namespace armature {
 
@@ -65,18 +65,18 @@ class FramePipeline {
   UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
-  void LearnUp(const FrameResult& result, const std::vector<ObjectEstimation>& estimations);
+  void LearnUp(const FrameResult& result, const std::vector<SingleViewResult>& estimations);
   std::vector<ObjectView> ViewsOf(const FrameInput& input, const FrameResult& frame) const;
   // The track of each view, -1: none; gives the views what their tracks remember, if that is wanted.
   std::vector<int> Recall(const FrameInput& input, std::vector<ObjectView>& views) const;
   // Large furniture first: what is found hides what is behind it.
-  std::vector<ObjectEstimation> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
+  std::vector<SingleViewResult> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
                                                 StageTimes& times) const;
   // Hands back the numbers of the tracks that have learnt, -1 for detections that none was sure of.
   void LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
-                    const std::vector<ObjectEstimation>& estimations, std::vector<int>& tracks);
+                    const std::vector<SingleViewResult>& estimations, std::vector<int>& tracks);
   void AddToMap(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
-                const std::vector<ObjectEstimation>& estimations, const std::vector<int>& tracks);
+                const std::vector<SingleViewResult>& estimations, const std::vector<int>& tracks);
   const CategoryModel& ModelOf(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 

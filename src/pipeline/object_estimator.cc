@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/stage_clock.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
-#include "pipeline/stage_clock.h"
 
 namespace armature {
 namespace {
@@ -242,7 +242,7 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
 }
 
 void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
-             const ResectionOptions& resection, ObjectEstimation& result) {
+             const ResectionOptions& resection, SingleViewResult& result) {
   ObjectView alone = view;
   alone.memory.reset();
   alone.floor.reset();
@@ -263,7 +263,7 @@ void Measure(const ObjectView& view, const Candidate& best, const AssociationOpt
 
 }  // namespace
 
-ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,
+SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions& association,
                                 const ResectionOptions& resection, EstimatorTimes& times) {
   std::vector<Candidate> candidates;
   {
@@ -274,7 +274,7 @@ ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions
   const auto best = std::min_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
-  ObjectEstimation result;
+  SingleViewResult result;
   result.estimate.ambiguous = IsAmbiguous(view, *best, association, resection, times);
   const StageClock clock(times.optimization_ms);
   ProjectedWireframe projected;

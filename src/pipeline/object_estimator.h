@@ -6,6 +6,7 @@
 #include "association/hypothesis_cost.h"
 #include "association/printed_cost.h"
 #include "resection/line_resection.h"
+#include "resection/single_view_result.h"
 
 namespace armature {
 
@@ -38,16 +39,7 @@ struct EstimatorTimes {
   double optimization_ms = 0;
 };
 
-struct ObjectEstimation {
-  ObjectEstimate estimate;
-  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to
-  // learn from. Learning from the estimate would count the memory twice.
-  Measurement measured;
-  ImageEvidence evidence;  // the same again without up and shape statistics, about measured.estimate
-  PoseAndShape initial;    // the winning hypothesis before resection
-};
-
-ObjectEstimation EstimateObject(const ObjectView& view, const AssociationOptions& association,
+SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions& association,
                                 const ResectionOptions& resection, EstimatorTimes& times);
 
 }  // namespace armature

@@ -4,13 +4,13 @@
 
 #include <vector>
 
+#include "base/option_entry.h"
 #include "lines/line_detector.h"
 #include "mapping/solve_map.h"
-#include "pipeline/floor_height.h"
 #include "pipeline/object_estimator.h"
-#include "pipeline/object_tracks.h"
-#include "pipeline/option_entry.h"
-#include "pipeline/up_direction.h"
+#include "tracking/floor_height.h"
+#include "tracking/object_tracks.h"
+#include "tracking/up_direction.h"
 
 namespace armature {
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "resection/object_estimate.h"
 
-#include <set>
-
 namespace armature {
-
-int MatchedEdges(const std::vector<EdgeMatch>& matches) {
-  std::set<int> edges;
-  for (const EdgeMatch& match : matches) edges.insert(match.edge);
-  return static_cast<int>(edges.size());
-}
 
 std::string_view StatusName(EstimateStatus status) {
   switch (status) {

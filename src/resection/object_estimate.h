@@ -6,17 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/segment.h"
+#include "association/edge_match.h"
 
 namespace armature {
-
-// One edge of the wireframe explained by one line segment (an edge may be explained by several collinear
-// fragments).
-struct EdgeMatch {
-  int edge = 0;     // index into the category's edges
-  Segment segment;  // pixels, the part inside the detection's grown box
-  double cost = 0;  // pixels: rms distance of the segment's ends from the projected edge
-};
 
 enum class EstimateStatus {
   kOk,
@@ -25,9 +17,6 @@ enum class EstimateStatus {
   kDiverged,      // the optimisation did not reach a finite, plausible pose
   kOffTheBox,     // the estimate's projection is not where the detection is
 };
-
-// How many different edges the matches cover.
-int MatchedEdges(const std::vector<EdgeMatch>& matches);
 
 // "ok", "too_few_edges", "behind_camera", "diverged", "off_the_box"
 std::string_view StatusName(EstimateStatus status);

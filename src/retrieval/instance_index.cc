@@ -7,9 +7,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "io/errors.h"
-#include "io/index_file.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "retrieval/neighbour_sets.h"
 #include "retrieval/seeded_flann.h"
 
@@ -21,16 +20,6 @@ using FlannIndex = flann::NNIndex<FeatureDistance>;
 void CheckAtLeast(const char* parameter, int value, int least) {
   if (value < least)
     throw InputError(fmt::format("index: {} {} has to be {} or more", parameter, value, least));
-}
-
-// The name with the parameters that a structure is built with: another text is another structure.
-std::string MethodText(const IndexMethod& m) {
-  if (m.name == "kdtree_single") return fmt::format("{} leaf_size={}", m.name, m.leaf_size);
-  if (m.name == "kdtree") return fmt::format("{} trees={} seed={}", m.name, m.trees, m.seed);
-  if (m.name == "kmeans") {
-    return fmt::format("{} branching={} iterations={} seed={}", m.name, m.branching, m.iterations, m.seed);
-  }
-  return m.name;
 }
 
 void CheckMethod(const IndexMethod& m) {
@@ -152,18 +141,28 @@ size_t InstanceIndex::memory_bytes() const {
   return (has_copy ? 2 : 1) * features + pointers + static_cast<size_t>(self.flann->usedMemory());
 }
 
-void InstanceIndex::Save(const std::filesystem::path& file) const {
-  const Implementation& self = *implementation_;
-  WriteIndexFile(file, MethodText(self.method), self.features, self.flann ? Saved(*self.flann) : "");
+std::string InstanceIndex::Saved() const {
+  return implementation_->flann ? armature::Saved(*implementation_->flann) : "";
 }
 
-InstanceIndex InstanceIndex::Load(const std::filesystem::path& file, Eigen::MatrixXf features,
-                                  const IndexMethod& method) {
+InstanceIndex InstanceIndex::FromSaved(std::string saved, Eigen::MatrixXf features,
+                                       const IndexMethod& method) {
   InstanceIndex index(std::make_unique<Implementation>(std::move(features), method));
-  const Implementation& self = *index.implementation_;
-  std::string payload = ReadIndexFile(file, MethodText(method), self.features);
-  if (self.flann) LoadFrom(std::move(payload), *self.flann);
+  if (index.implementation_->flann) LoadFrom(std::move(saved), *index.implementation_->flann);
   return index;
+}
+
+const Eigen::MatrixXf& InstanceIndex::features() const { return implementation_->features; }
+
+std::string InstanceIndex::Description() const { return DescribeMethod(implementation_->method); }
+
+std::string DescribeMethod(const IndexMethod& m) {
+  if (m.name == "kdtree_single") return fmt::format("{} leaf_size={}", m.name, m.leaf_size);
+  if (m.name == "kdtree") return fmt::format("{} trees={} seed={}", m.name, m.trees, m.seed);
+  if (m.name == "kmeans") {
+    return fmt::format("{} branching={} iterations={} seed={}", m.name, m.branching, m.iterations, m.seed);
+  }
+  return m.name;
 }
 
 const std::vector<std::string>& IndexMethodNames() {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -58,14 +57,14 @@ class InstanceIndex {
   // The features and the search structure, as FLANN counts it.
   size_t memory_bytes() const;
 
-  // The search structure as a file (the features are not in it), and back. The file says its version, the
-  // method with the parameters that it was built with (not `checks`), a checksum of the features and one of
-  // itself. Save writes aside and renames, throws InputError. Load throws InputError naming the file
-  // and the remedy: missing, cut short, corrupt, of another version, of another method or other such
-  // parameters, of other features.
-  void Save(const std::filesystem::path& file) const;
-  static InstanceIndex Load(const std::filesystem::path& file, Eigen::MatrixXf features,
-                            const IndexMethod& method);
+  // The search structure as bytes (the features are not in them), and back. `saved` has to be of these
+  // features and of a structure with the same Description(), which io/index_file.h sees to.
+  std::string Saved() const;
+  static InstanceIndex FromSaved(std::string saved, Eigen::MatrixXf features, const IndexMethod& method);
+  const Eigen::MatrixXf& features() const;
+  // The method with the parameters that it was built with (not `checks`): of another text it is another
+  // structure.
+  std::string Description() const;
 
  private:
   struct Implementation;
@@ -73,6 +72,9 @@ class InstanceIndex {
 
   std::unique_ptr<Implementation> implementation_;
 };
+
+// Description() of an index by this method.
+std::string DescribeMethod(const IndexMethod& method);
 
 // linear, kdtree_single, kdtree, kmeans
 const std::vector<std::string>& IndexMethodNames();

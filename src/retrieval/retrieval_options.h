@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "pipeline/option_entry.h"
+#include "base/option_entry.h"
 #include "retrieval/instance_fit.h"
 #include "retrieval/instance_index.h"
 #include "retrieval/shape_distance.h"

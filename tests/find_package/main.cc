@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "association/projection.h"
-#include "eval/trajectory_metrics.h"
+#include "eval/trajectories/trajectory_metrics.h"
 #include "geometry/viewpoint.h"
 #include "io/category_yaml.h"
 

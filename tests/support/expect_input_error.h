@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "io/errors.h"
+#include "base/errors.h"
 
 namespace armature::testing {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "category/category_model.h"
-#include "eval/retrieval_queries.h"
+#include "eval/retrieval/retrieval_queries.h"
 #include "retrieval/instance_library.h"
 #include "support/category_examples.h"
 #include "support/temp_folder.h"

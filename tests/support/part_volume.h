@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "datasets/cad/mesh.h"
+#include "drawing/mesh.h"
 
 namespace armature::testing {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "eval/placed_objects.h"
-#include "eval/trajectory_alignment.h"
+#include "eval/trajectories/trajectory_alignment.h"
+#include "io/placed_objects.h"
 #include "support/true_world.h"
 
 namespace armature::testing {

@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "eval/category_lookup.h"
-#include "eval/run_evaluation.h"
-#include "eval/true_scene.h"
+#include "base/number_format.h"
+#include "category/category_lookup.h"
+#include "eval/views/run_evaluation.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/category_yaml.h"
-#include "io/number_format.h"
 #include "support/category_examples.h"
 #include "support/temp_folder.h"
+#include "truth/true_scene.h"
 
 namespace armature::testing {
 

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/printed_tables.h"
 #include "app/reproduce/matrix_tables.h"
-#include "io/text.h"
+#include "base/text.h"
+#include "cli/printed_tables.h"
 #include "io/whole_file.h"
 
 namespace armature {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "io/checksum.h"
-#include "io/errors.h"
-#include "io/text.h"
+#include "base/checksum.h"
+#include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {

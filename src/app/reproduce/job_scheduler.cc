@@ -11,11 +11,11 @@
 #include <optional>
 #include <thread>
 
-#include "app/reproduce/child_process.h"
 #include "app/reproduce/job_records.h"
-#include "app/reproduce/shell_text.h"
-#include "io/errors.h"
-#include "io/interrupt.h"
+#include "base/child_process.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/shell_text.h"
 
 namespace armature {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "datasets/scene/scene_yaml.h"
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
+#include "io/sequence.h"
 
 namespace armature {
 namespace {

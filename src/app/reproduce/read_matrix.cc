@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "io/errors.h"
-#include "io/nearest_name.h"
+#include "base/errors.h"
+#include "base/nearest_name.h"
 #include "io/yaml_support.h"
 
 namespace armature {

@@ -10,9 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/data_folders.h"
-#include "app/help.h"
-#include "app/printed_tables.h"
 #include "app/reproduce/all_tables.h"
 #include "app/reproduce/job_scheduler.h"
 #include "app/reproduce/matrix_tables.h"
@@ -20,11 +17,14 @@
 #include "app/reproduce/plan_jobs.h"
 #include "app/reproduce/read_matrix.h"
 #include "app/reproduce/reproduction_folder.h"
-#include "io/console.h"
-#include "io/errors.h"
-#include "io/interrupt.h"
-#include "io/progress.h"
-#include "io/text.h"
+#include "base/console.h"
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/text.h"
+#include "cli/data_folders.h"
+#include "cli/help.h"
+#include "cli/printed_tables.h"
 #include "io/whole_file.h"
 
 namespace armature {

@@ -8,8 +8,8 @@
 
 #include "app/reproduce/job_records.h"
 #include "app/reproduce/reproduction_folder.h"
+#include "base/text.h"
 #include "io/build_info.h"
-#include "io/text.h"
 #include "io/whole_file.h"
 
 namespace armature {

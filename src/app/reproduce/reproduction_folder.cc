@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-#include "io/errors.h"
+#include "base/errors.h"
 #include "io/output_folder.h"
 #include "io/run_folder.h"
 

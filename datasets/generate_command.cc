@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/generate_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "base/errors.h"
+#include "base/interrupt.h"
+#include "base/nearest_name.h"
+#include "base/progress.h"
+#include "cli/data_folders.h"
+#include "cli/help.h"
+#include "datasets/contact_sheet.h"
+#include "datasets/scene/scene_yaml.h"
+#include "io/image_writer.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kDefaultScenes = {"seq1", "seq2", "seq3"};
+
+// By name; none where the program has been parted from its data.
+std::vector<std::string> ShippedScenes() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(ScenesFolder(), ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::vector<fs::path> ScenesToMake(const GenerateArguments& arguments) {
+  if (!arguments.scenes.empty() && !arguments.only.empty()) {
+    throw InputError("generate: --only chooses among the shipped scenes; leave it out with --scene");
+  }
+  if (!arguments.scenes.empty()) return arguments.scenes;
+  const std::vector<std::string> shipped = ShippedScenes();
+  std::vector<fs::path> files;
+  for (const std::string& name : arguments.only.empty() ? kDefaultScenes : arguments.only) {
+    if (std::find(shipped.begin(), shipped.end(), name) == shipped.end())
+      throw InputError("generate: --only: " + UnknownNameMessage("scene", name, shipped));
+    files.push_back(ScenesFolder() / (name + ".yaml"));
+  }
+  return files;
+}
+
+void Say(const Generated& generated, const std::string& what) {
+  fmt::print("{}: {}{}\n", generated.folder.string(), what, generated.is_new ? "" : " (there already)");
+}
+
+// Shows the progress of one sequence.
+Generated GenerateWithProgress(const fs::path& scene, const std::vector<CadInstance>& collection,
+                               const fs::path& out, const SequenceOptions& options) {
+  std::unique_ptr<Progress> shown;
+  const GenerationProgress progress{[&](const std::string& name, int frames) {
+                                      shown = std::make_unique<Progress>(name + ": pictures", frames);
+                                    },
+                                    [&] {
+                                      ThrowIfInterrupted();
+                                      shown->Step();
+                                    }};
+  return GenerateSequence(scene, collection, out, options, progress);
+}
+
+// Pictures of all sequences, unless nothing has changed.
+void ShowOnOneSheet(const std::vector<Generated>& sequences, const fs::path& file) {
+  const bool is_new =
+      std::any_of(sequences.begin(), sequences.end(), [](const Generated& g) { return g.is_new; });
+  if (!is_new && fs::exists(file)) return;
+  std::vector<fs::path> folders;
+  for (const Generated& sequence : sequences) folders.push_back(sequence.folder);
+  WritePicture(file, ContactSheet(folders));
+  fmt::print("{}: some of their pictures\n", file.string());
+}
+
+CommandHelp GenerateHelp() {
+  return {
+      .description =
+          "Makes the embedded data: a collection of annotated CAD models of chairs, tables and laptops, and "
+          "sequences of rooms with them, rendered, with odometry that drifts, detections that err, and exact "
+          "ground truth. The same bytes on every machine; what is there already is not made again. Scenes "
+          "are YAML files, also of your own (datasets/README.md).",
+      .files = {{"OUT/cad/", "CAD models, their annotated edges and instances.csv"},
+                {"OUT/<scene>/", "a sequence: sequence.yaml, rgb/, detections.csv, odometry.txt; the truth"},
+                {"OUT/contact_sheet.jpg", "some pictures of all sequences"}},
+      .exit_status = {},
+      .examples = {{"all of it, about a minute on two cores", "armature generate --out datasets/generated"},
+                   {"ten frames of one scene with detections twice as wrong",
+                    "armature generate --out runs/noisy --only seq3 --frames 10 --detection-noise 2 "
+                    "--without-cad"}}};
+}
+
+}  // namespace
+
+int RunGenerate(const GenerateArguments& arguments) {
+  const std::vector<fs::path> scenes = ScenesToMake(arguments);
+  const CollectionOptions collection_options;
+  const std::vector<CadInstance> collection = DrawCollection(collection_options);
+  for (const fs::path& scene : scenes)
+    ReadScene(scene, collection, arguments.sequence.draw);  // all have to be right before anything is written
+  std::vector<std::string> made;
+  if (!arguments.without_cad) {
+    const Generated cad = GenerateCad(arguments.out / "cad", collection_options, collection);
+    made.push_back(cad.folder.string());
+    Say(cad, "annotated CAD models");
+  }
+  std::vector<Generated> sequences;
+  for (const fs::path& scene : scenes) {
+    sequences.push_back(InterruptedAfter(
+        made, [&] { return GenerateWithProgress(scene, collection, arguments.out, arguments.sequence); }));
+    made.push_back(sequences.back().folder.string());
+    Say(sequences.back(), "sequence with ground truth");
+  }
+  ShowOnOneSheet(sequences, arguments.out / "contact_sheet.jpg");
+  return 0;
+}
+
+void AddGenerateCommand(CLI::App& app, int& exit_status) {
+  const auto arguments = std::make_shared<GenerateArguments>();
+  GenerateArguments& a = *arguments;
+  CLI::App* generate =
+      app.add_subcommand("generate", "Make the embedded data: annotated CAD models, rendered sequences");
+  Describe(*generate, GenerateHelp());
+  BeginSection(*generate, "Output");
+  generate->add_option("--out", a.out, "folder that gets cad/ and a folder a sequence")
+      ->required()
+      ->type_name("DIR");
+  generate->add_flag("--without-cad", a.without_cad, "sequences only");
+  BeginSection(*generate, "Scenes");
+  KnownValues(*generate
+                   ->add_option("--only", a.only,
+                                fmt::format("shipped scenes (default: {})", fmt::join(kDefaultScenes, ", ")))
+                   ->type_name("NAME")
+                   ->delimiter(','),
+              ShippedScenes());
+  generate->add_option("--scene", a.scenes, "scene files of your own instead (datasets/README.md)")
+      ->type_name("FILE");
+  generate->add_option("--frames", a.sequence.frames, "only the first N pictures of each path")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  generate
+      ->add_option(
+          "--detection-noise", a.sequence.detection_noise,
+          "factor of everything that detections have wrong: noise, misses, false alarms, turned viewpoints")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("FACTOR")
+      ->capture_default_str();
+  generate
+      ->add_option("--draw", a.sequence.draw,
+                   "which draw of all that scenes leave to chance: 1 has the seed of the scene's file, 2, 3, "
+                   "... others, and sequences named NAME-draw2, ...")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N")
+      ->capture_default_str();
+  generate->callback([arguments, &exit_status] { exit_status = RunGenerate(*arguments); });
+}
+
+}  // namespace armature

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `armature eval` is given: runs, and where the truth of each of them is.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/run_results.h"
+
+namespace armature {
+
+struct RunToEvaluate {
+  RunIdentity run;
+  std::filesystem::path truth;  // sequence folder with its ground truth
+
+  // Whether the truth has the file of this name, and so for the run.
+  bool HasTruth(const std::string& file) const;
+  bool HasResult(const std::string& file) const;
+};
+
+// The runs in or at the folders, in the order given. `truths`: sequence folders with ground truth
+// (groundtruth.txt or objects_gt.csv), or folders of such; empty: where each run says that its sequence is.
+// Throws InputError: no finished run, two truths of one name, a run of a sequence whose truth is not known.
+std::vector<RunToEvaluate> FindRuns(const std::vector<std::filesystem::path>& folders,
+                                    const std::vector<std::filesystem::path>& truths);
+
+}  // namespace armature

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/objects/eval_objects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "base/console.h"
+#include "base/errors.h"
+#include "category/category_lookup.h"
+#include "cli/data_folders.h"
+#include "cli/help.h"
+#include "eval/objects/normal_term_table.h"
+#include "eval/objects/object_tables.h"
+#include "eval/objects/paper_object_errors.h"
+#include "eval/views/evaluation_tables.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The objects of a sequence's runs, and the single observations of the same runs in the same order.
+struct EvaluatedSequence {
+  SequenceObjects objects;
+  std::vector<NamedEvaluation> observations;
+
+  bool HasMap() const {
+    return std::any_of(objects.runs.begin(), objects.runs.end(),
+                       [](const NamedObjects& run) { return !run.objects.maps.empty(); });
+  }
+};
+
+ObjectEvaluationOptions OptionsOf(const ObjectArguments& arguments) {
+  if (!(arguments.gate_m > 0))
+    throw InputError(fmt::format("--gate {:g}: give metres, more than 0", arguments.gate_m));
+  return {AlignmentFromName(arguments.alignment), arguments.first_n, arguments.tolerance, arguments.gate_m};
+}
+
+EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
+                                   const std::vector<CategoryModel>& models,
+                                   const ObjectEvaluationOptions& options) {
+  const std::vector<CategorySpec> specs = SpecsOf(models);
+  const SequenceTruth truth = LoadSequenceTruth(runs.front().truth, specs);
+  std::vector<fs::path> folders;
+  for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
+  const std::vector<std::string> names = RunNames(folders, truth.name);
+  EvaluatedSequence evaluated{{truth.name, truth.truth.objects_source, options, {}}, {}};
+  for (size_t i = 0; i < runs.size(); ++i) {
+    const RunResults run = LoadRun(folders[i]);
+    evaluated.objects.runs.push_back({names[i], EvaluateRunObjects(run, truth, specs, options)});
+    evaluated.observations.push_back({names[i], EvaluateRun(run, truth, models, CadLibrary())});
+  }
+  return evaluated;
+}
+
+// By name.
+std::vector<EvaluatedSequence> EvaluateSequences(const std::vector<RunToEvaluate>& runs,
+                                                 const std::vector<CategoryModel>& models,
+                                                 const ObjectEvaluationOptions& options, bool is_asked) {
+  std::map<std::string, std::vector<RunToEvaluate>> runs_of;
+  for (const RunToEvaluate& run : runs) runs_of[run.run.sequence].push_back(run);
+  std::vector<EvaluatedSequence> sequences;
+  for (const auto& [name, its_runs] : runs_of) {
+    EvaluatedSequence sequence = EvaluateSequence(its_runs, models, options);
+    if (sequence.HasMap() || is_asked) {
+      sequences.push_back(std::move(sequence));
+    } else {
+      Note(fmt::format("no tables of the objects of {}: no run on it has an objects.csv", name));
+    }
+  }
+  return sequences;
+}
+
+// Without the source's file there are only our own rows.
+std::vector<PaperObjectErrors> PaperNumbers(const fs::path& named) {
+  const fs::path file = named.empty() ? ResultsFolder() / "paper_object_errors.csv" : named;
+  if (named.empty() && !fs::exists(file)) return {};
+  return ReadPaperObjectErrors(file);
+}
+
+void WriteRawObjects(const fs::path& file, const std::vector<SequenceObjects>& sequences) {
+  if (file.empty()) return;
+  std::ofstream stream(file, std::ios::binary);
+  stream << RawObjectsCsv(sequences);
+  if (!stream.flush())
+    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
+}
+
+}  // namespace
+
+void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
+  BeginSection(command, "Objects");
+  OfferValues(*command
+                   .add_option("--object-alignment", a.alignment,
+                               "how maps are brought to the truth before objects are compared: one of those "
+                               "of --alignment")
+                   ->type_name("NAME"),
+              AlignmentNames())
+      .capture_default_str();
+  command
+      .add_option("--gate", a.gate_m, "metres between an object and the true one it is matched to, at most")
+      ->capture_default_str();
+  command
+      .add_option("--paper-numbers", a.paper,
+                  "the paper's object errors, shown below ours (default: results/paper_object_errors.csv)")
+      ->type_name("FILE");
+  command.add_option("--raw-objects", a.raw, "also write a row an object to this file (CSV)")
+      ->type_name("FILE");
+}
+
+std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
+                                      const std::vector<CategoryModel>& models,
+                                      const std::vector<std::string>& names, bool is_asked,
+                                      const ObjectArguments& arguments) {
+  const auto has = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<Table> tables;
+  std::vector<SequenceObjects> all;
+  for (const EvaluatedSequence& sequence : EvaluateSequences(runs, models, OptionsOf(arguments), is_asked)) {
+    if (has("objects")) tables.push_back(ObjectSummaryTable(sequence.objects));
+    if (has("each_object")) tables.push_back(EachObjectTable(sequence.objects));
+    if (has("normal")) tables.push_back(NormalTermTable(sequence.objects, sequence.observations));
+    all.push_back(sequence.objects);
+  }
+  if (has("paper") && !all.empty()) tables.push_back(PaperTable(all, PaperNumbers(arguments.paper)));
+  WriteRawObjects(arguments.raw, all);
+  return tables;
+}
+
+}  // namespace armature

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/objects/paper_object_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/errors.h"
+#include "io/csv.h"
+
+namespace armature {
+namespace {
+
+// Half a unit of the last printed digit.
+double RoundingOf(const std::string& printed) {
+  const size_t point = printed.find('.');
+  const size_t digits = point == std::string::npos ? 0 : printed.size() - point - 1;
+  return 0.5 * std::pow(10.0, -static_cast<double>(digits));
+}
+
+double Value(const std::string& printed) { return ParseNumber(printed, "a printed number"); }
+
+// n numbers of which one is the best and one the worst average at least ((n - 1) best + worst) / n, and at
+// most (best + (n - 1) worst) / n.
+std::vector<std::string> OddAverage(const PaperObjectErrors& row) {
+  const double n = row.objects, best = Value(row.best), worst = Value(row.worst),
+               average = Value(row.average);
+  const double least = ((n - 1) * best + worst) / n, most = (best + (n - 1) * worst) / n;
+  const double rounding = RoundingOf(row.best) + RoundingOf(row.average);
+  const std::string start = fmt::format("paper {}, {}: {} objects between {} and {} average {}", row.sequence,
+                                        row.approach, row.objects, row.best, row.worst, row.average);
+  if (average < least - rounding || average > most + rounding)
+    return {start + ", which cannot be; kept as printed."};
+  if (row.objects < 3) return {};  // the other one or two are the best or the worst
+  if (average < least + rounding) return {start + " only if all but one are the best; kept as printed."};
+  if (average > most - rounding) return {start + " only if all but one are the worst; kept as printed."};
+  return {};
+}
+
+std::vector<std::string> WorseThanTheFirst(const std::vector<PaperObjectErrors>& paper) {
+  std::vector<std::string> notes;
+  std::map<std::string, const PaperObjectErrors*> firsts;
+  for (const PaperObjectErrors& row : paper) {
+    const PaperObjectErrors& first = *firsts.emplace(row.sequence, &row).first->second;
+    std::vector<std::string> worse;
+    const auto compare = [&](const char* what, const std::string& value, const std::string& reference) {
+      if (Value(value) > Value(reference))
+        worse.push_back(fmt::format("{} ({} > {})", what, value, reference));
+    };
+    compare("best", row.best, first.best);
+    compare("worst", row.worst, first.worst);
+    compare("average", row.average, first.average);
+    if (worse.empty()) continue;
+    notes.push_back(fmt::format("paper {}: {} is worse than {} in {}.", row.sequence, row.approach,
+                                first.approach, fmt::join(worse, ", ")));
+  }
+  return notes;
+}
+
+const std::vector<EvaluatedObject>& Matched(const EvaluatedMap& map) {
+  return map.by_detections.empty() ? map.by_distance : map.by_detections;
+}
+
+// How many runs of the sequence have a map by the approach: with several, rows name the run.
+std::string ApproachText(const SequenceObjects& sequence, const NamedObjects& run, const EvaluatedMap& map) {
+  int count = 0;
+  for (const NamedObjects& other : sequence.runs) {
+    for (const EvaluatedMap& m : other.objects.maps) count += m.approach == map.approach ? 1 : 0;
+  }
+  return count > 1 ? fmt::format("{} ({})", map.approach, run.run) : map.approach;
+}
+
+std::vector<Cell> OurRow(const std::string& sequence, const std::string& approach,
+                         const ObjectSummary& summary) {
+  std::vector<Cell> row{TextCell(sequence), TextCell(approach), CountCell(summary.found)};
+  for (const double metres : {summary.best_m, summary.worst_m, summary.average_m})
+    row.push_back(summary.found > 0 ? NumberCell(metres, 4) : NoCell());
+  return row;
+}
+
+std::vector<Cell> PaperRow(const PaperObjectErrors& row) {
+  const auto printed = [](const std::string& number) { return Cell{number, true}; };
+  return {TextCell("paper " + row.sequence),
+          TextCell(row.approach),
+          CountCell(row.objects),
+          printed(row.best),
+          printed(row.worst),
+          printed(row.average)};
+}
+
+std::string OurNote(const std::string& sequence, const std::string& approach, const EvaluatedMap& map,
+                    const ObjectSummary& summary, double gate_m) {
+  std::string note = fmt::format("{}, {}: {} of {} observed objects, {} spurious.", sequence, approach,
+                                 summary.found, summary.observed, summary.spurious);
+  if (map.by_detections.empty())
+    note += fmt::format(" Matched by distance, at most {} m: observations name no objects.", gate_m);
+  return note;
+}
+
+void AddSequence(const SequenceObjects& sequence, Table& table) {
+  for (const NamedObjects& run : sequence.runs) {
+    for (const EvaluatedMap& map : run.objects.maps) {
+      const ObjectSummary summary = Summarise(Matched(map), "");
+      const std::string approach = ApproachText(sequence, run, map);
+      table.rows.push_back(OurRow(sequence.sequence, approach, summary));
+      table.notes.push_back(OurNote(sequence.sequence, approach, map, summary, sequence.options.gate_m));
+    }
+  }
+  for (const std::string& note : ObjectNotes(sequence))
+    table.notes.push_back(fmt::format("{}: {}", sequence.sequence, note));
+}
+
+void AddPaper(const std::vector<PaperObjectErrors>& paper, Table& table) {
+  for (const PaperObjectErrors& row : paper) table.rows.push_back(PaperRow(row));
+  if (paper.empty()) return;
+  table.notes.emplace_back(
+      "paper 1, 2, ...: the paper's own numbers, as printed; its sequences are others, rows are not "
+      "comparable.");
+  table.notes.emplace_back(
+      "The paper scales a trajectory by its end points, as --object-alignment end_points does here.");
+  for (std::string& note : OddEntries(paper)) table.notes.push_back(std::move(note));
+}
+
+}  // namespace
+
+std::vector<PaperObjectErrors> ReadPaperObjectErrors(const std::filesystem::path& file) {
+  const CsvTable table(file, {"sequence", "approach", "objects", "best", "worst", "average"});
+  std::vector<PaperObjectErrors> rows;
+  for (const CsvRow& row : table.rows()) {
+    for (const char* column : {"best", "worst", "average"}) row.Number(column);
+    if (row.Integer("objects") < 1) throw InputError(row.At("column 'objects' has to be at least 1"));
+    rows.push_back({row.Text("sequence"), row.Text("approach"), row.Integer("objects"), row.Text("best"),
+                    row.Text("worst"), row.Text("average")});
+  }
+  return rows;
+}
+
+std::vector<std::string> OddEntries(const std::vector<PaperObjectErrors>& paper) {
+  std::vector<std::string> notes = WorseThanTheFirst(paper);
+  for (const PaperObjectErrors& row : paper) {
+    for (std::string& note : OddAverage(row)) notes.push_back(std::move(note));
+  }
+  return notes;
+}
+
+Table PaperTable(const std::vector<SequenceObjects>& sequences, const std::vector<PaperObjectErrors>& paper) {
+  Table table;
+  table.title = "Object localization error [m], as the paper tells it";
+  table.name = "paper";
+  table.columns = {"Sequence", "Approach", "# Objects", "Best", "Worst", "Average"};
+  table.notes = {
+      "Best, worst, average: distance of the centres, of the objects counted under # Objects. An object of "
+      "the",
+      "map is the true object that most of its observations are of, however far away it was placed."};
+  for (const SequenceObjects& sequence : sequences) AddSequence(sequence, table);
+  AddPaper(paper, table);
+  return table;
+}
+
+}  // namespace armature

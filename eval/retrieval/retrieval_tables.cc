@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/retrieval/retrieval_tables.h"
+
+#include <algorithm>
+
+#include "eval/retrieval/retrieval_cells.h"
+
+namespace armature {
+namespace {
+
+std::vector<std::string> CategoriesAmong(const EvaluatedQueries& evaluated, const QuerySet& among) {
+  std::vector<std::string> categories = ValuesOf(evaluated, among, &RetrievalQuery::category);
+  std::sort(categories.begin(), categories.end());
+  return categories;
+}
+
+std::vector<Cell> SummaryCells(std::vector<Cell> row, const EvaluatedQueries& evaluated,
+                               const QuerySet& queries) {
+  const RetrievalSummary s = Summarise(Chosen(evaluated.OutcomesOf(kDefaultVariant), queries));
+  const BaselineSummary baselines = Summarise(Chosen(evaluated.baselines, queries));
+  PushRanks(s, row);
+  PushDistances(s, row);
+  row.push_back(Centimetres(baselines.random));
+  row.push_back(Centimetres(baselines.mean_shape));
+  row.push_back(NumberCell(s.f_score, 3));
+  row.push_back(NumberCell(s.f_score_by_truth, 3));
+  return row;
+}
+
+std::vector<std::string> SummaryColumns() {
+  return {"run",
+          "sequence",
+          "category",
+          "queries",
+          "in library",
+          "top-1 [%]",
+          "top-5 [%]",
+          "MRR",
+          "compared",
+          "Chamfer [cm]",
+          "best of 5",
+          "by true shape",
+          "ratio",
+          "random",
+          "mean shape",
+          "F-score",
+          "F-score by true shape"};
+}
+
+// A row a category, and one of all of them where they are several.
+void PushCategories(const std::string& run, const std::string& sequence, const EvaluatedQueries& evaluated,
+                    const QuerySet& among, Table& table) {
+  const std::vector<std::string> categories = CategoriesAmong(evaluated, among);
+  const auto push = [&](const std::string& category, const QuerySet& queries) {
+    table.rows.push_back(
+        SummaryCells({TextCell(run), TextCell(sequence), TextCell(category)}, evaluated, queries));
+  };
+  for (const std::string& category : categories)
+    push(category, Where(evaluated, among, &RetrievalQuery::category, category));
+  if (categories.size() > 1) push("all", among);
+}
+
+Cell RankCell(const std::optional<int>& rank) { return rank ? CountCell(*rank) : NoCell(); }
+
+std::string IdOf(const InstanceLibrary& library, const std::string& category, int instance) {
+  const CategoryInstances* instances = library.Of(category);
+  return instances && instance >= 0 ? instances->ids[static_cast<size_t>(instance)] : "";
+}
+
+}  // namespace
+
+Table RetrievalTable(const EvaluatedQueries& evaluated) {
+  Table table;
+  table.title = "CAD retrieval";
+  table.name = "retrieval";
+  table.columns = SummaryColumns();
+  const QuerySet all = AllQueries(evaluated);
+  for (const std::string& run : ValuesOf(evaluated, all, &RetrievalQuery::run)) {
+    const QuerySet of_run = Where(evaluated, all, &RetrievalQuery::run, run);
+    const std::vector<std::string> sequences = ValuesOf(evaluated, of_run, &RetrievalQuery::sequence);
+    for (const std::string& sequence : sequences)
+      PushCategories(run, sequence, evaluated, Where(evaluated, of_run, &RetrievalQuery::sequence, sequence),
+                     table);
+    if (sequences.size() > 1) PushCategories(run, "all", evaluated, of_run, table);
+  }
+  AppendNotes({"queries: objects of the map; the true one is that of most of its observations, wherever it "
+               "stands."},
+              table);
+  AppendNotes(RankNotes(), table);
+  AppendNotes(DistanceNotes(), table);
+  AppendNotes(
+      {"random: expected Chamfer of a random pick. mean shape: of the model nearest to the category's mean.",
+       "F-score: at 2 cm: the share of the retrieved surface's points within 2 cm of the true one and the "
+       "share the other way, their harmonic mean."},
+      table);
+  return table;
+}
+
+Table EachQueryTable(const EvaluatedQueries& evaluated, const InstanceLibrary& library) {
+  Table table;
+  table.title = "CAD retrieval of each object";
+  table.name = "each_query";
+  table.columns = {"run",         "sequence",        "object",         "true model",
+                   "rank k-NN",   "rank covariance", "rank re-ranked", "first other",
+                   "Chamfer [cm]"};
+  const auto& plain = evaluated.OutcomesOf(kPlainVariant);
+  const auto& covariance = evaluated.OutcomesOf(kCovarianceVariant);
+  const auto& reranked = evaluated.OutcomesOf(kDefaultVariant);
+  for (size_t i = 0; i < evaluated.queries.size(); ++i) {
+    const RetrievalQuery& query = evaluated.queries[i];
+    const std::optional<SurfaceDistance>& distance = reranked[i].retrieved;
+    table.rows.push_back({TextCell(query.run), TextCell(query.sequence), TextCell(query.object),
+                          TextCell(query.true_model), RankCell(plain[i].rank), RankCell(covariance[i].rank),
+                          RankCell(reranked[i].rank),
+                          TextCell(IdOf(library, query.category, reranked[i].first_other)),
+                          distance ? Centimetres(distance->chamfer) : NoCell()});
+  }
+  AppendNotes(
+      {"rank: of the true model among all of its category; -: it is not in the library. k-NN: whitened.",
+       "first other: the first of the re-ranked that has a surface and is not the true model; Chamfer: of "
+       "its surface from that of the true model."},
+      table);
+  return table;
+}
+
+}  // namespace armature

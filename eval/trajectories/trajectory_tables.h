@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of camera trajectories of `armature eval`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/trajectories/trajectory_metrics.h"
+#include "io/text_table.h"
+
+namespace armature {
+
+struct NamedTrajectory {
+  std::string run;         // as shown
+  std::string trajectory;  // which of the run's, empty where there is one alone
+  TrajectoryEvaluation evaluation;
+};
+
+// Trajectories against one truth, a row each, in the order given. `digits`: after the point of metres,
+// degrees and scales. Nothing matched: dashes.
+Table TrajectoryTable(const std::string& sequence, const std::vector<NamedTrajectory>& trajectories,
+                      int digits);
+
+// The names of the columns of the rows below.
+std::string RawTrajectoryHeader();
+// A row a matched pose: its absolute error, and the relative error of the motion that begins at it (empty: it
+// has no partner).
+std::string RawTrajectoryRows(const std::string& sequence, const NamedTrajectory& trajectory);
+
+}  // namespace armature

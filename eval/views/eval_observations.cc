@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/views/eval_observations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "base/errors.h"
+#include "category/category_lookup.h"
+#include "cli/help.h"
+#include "eval/edges/edge_tables.h"
+#include "eval/views/evaluation_tables.h"
+#include "eval/views/run_evaluation.h"
+
+namespace armature {
+namespace {
+
+namespace fs = std::filesystem;
+
+void WriteRaw(const fs::path& file, const std::string& content) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << content;
+  if (!stream.flush())
+    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
+}
+
+bool Has(const std::vector<std::string>& names, const char* name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void CheckHasEdges(const fs::path& truth_folder, const SequenceTruth& truth) {
+  if (truth.edges) return;
+  throw InputError(
+      fmt::format("{}: has no {} to judge matches by; give the folder of annotated CAD models with --cad",
+                  truth_folder.string(), kTrueEdgesFile));
+}
+
+// By sequence; runs in the order given, named so that they are told apart. `need_edges`: all sequences have
+// to have something to judge matches by.
+std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vector<RunToEvaluate>& runs,
+                                                                const std::vector<CategoryModel>& models,
+                                                                const fs::path& cad_folder, bool need_edges) {
+  const std::vector<CategorySpec> specs = SpecsOf(models);
+  const CadLibrary cad = cad_folder.empty() ? CadLibrary() : CadLibrary(cad_folder, specs);
+  std::map<std::string, SequenceTruth> truths;
+  std::map<std::string, std::vector<NamedEvaluation>> evaluations;
+  std::map<std::string, std::vector<fs::path>> folders;
+  for (const auto& [identity, truth_folder] : runs) {
+    const RunResults run = LoadRun(identity.folder);
+    if (!truths.contains(run.sequence)) truths[run.sequence] = LoadSequenceTruth(truth_folder, specs);
+    const SequenceTruth& truth = truths[run.sequence];
+    if (need_edges && cad_folder.empty()) CheckHasEdges(truth_folder, truth);
+    evaluations[run.sequence].push_back({"", EvaluateRun(run, truth, models, cad)});
+    folders[run.sequence].push_back(run.folder);
+  }
+  for (auto& [sequence, named] : evaluations) {
+    const std::vector<std::string> names = RunNames(folders[sequence], sequence);
+    for (size_t i = 0; i < named.size(); ++i) named[i].run = names[i];
+  }
+  return evaluations;
+}
+
+}  // namespace
+
+void AddObservationArguments(CLI::App& command, ObservationArguments& a) {
+  BeginSection(command, "Single views");
+  command
+      .add_option("--cad", a.cad,
+                  "folder of annotated CAD models, to judge matches of sequences without edges_gt.csv")
+      ->type_name("DIR");
+  command.add_option("--raw", a.raw, "also write a row a detection to this file (CSV)")->type_name("FILE");
+  command
+      .add_option("--raw-edges", a.raw_edges,
+                  "also write a row a match of edge and segment to this file (CSV)")
+      ->type_name("FILE");
+}
+
+std::vector<Table> ObservationTablesOfRuns(const std::vector<RunToEvaluate>& runs,
+                                           const std::vector<CategoryModel>& models,
+                                           const std::vector<std::string>& names, bool is_asked,
+                                           const ObservationArguments& arguments) {
+  const bool asked_edges = is_asked && Has(names, "edges");
+  const bool need_edges = asked_edges || !arguments.raw_edges.empty();
+  std::vector<Table> tables;
+  std::vector<NamedEvaluation> all;
+  for (const auto& [sequence, named] : EvaluateAll(runs, models, arguments.cad, need_edges)) {
+    if (Has(names, "observations"))
+      for (Table& table : EvaluationTables(sequence, named)) tables.push_back(std::move(table));
+    if (asked_edges || (Has(names, "edges") && HaveTrueEdges(named)))
+      tables.push_back(EdgeTable(sequence, named));
+    all.insert(all.end(), named.begin(), named.end());
+  }
+  if (!arguments.raw.empty()) WriteRaw(arguments.raw, RawCsv(all));
+  if (!arguments.raw_edges.empty()) WriteRaw(arguments.raw_edges, RawEdgesCsv(all));
+  return tables;
+}
+
+}  // namespace armature

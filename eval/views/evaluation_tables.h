@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of single views that `armature eval` prints.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "eval/views/run_evaluation.h"
+#include "io/text_table.h"
+
+namespace armature {
+
+struct NamedEvaluation {
+  std::string run;  // as shown
+  RunEvaluation evaluation;
+};
+
+// Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder
+// is named after the sequence, and the paths as they are where those are not distinct.
+std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
+                                  const std::string& sequence);
+
+// What detections of the runs are of, sorted.
+std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs);
+
+// Whether the matches of the runs, on one sequence, are judged by its edges_gt.csv.
+bool HaveTrueEdges(const std::vector<NamedEvaluation>& runs);
+
+// Runs on one sequence, a row a run and category and one of all categories: first of all detections that have
+// an estimate whatever its status, then of those with status ok alone.
+std::vector<Table> EvaluationTables(const std::string& sequence, const std::vector<NamedEvaluation>& runs);
+
+// A row a run and detection with truth; CSV. Empty fields: not known.
+std::string RawCsv(const std::vector<NamedEvaluation>& runs);
+
+}  // namespace armature

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# A floor of the house: one folder, one static library armature_NAME.
+#
+#   armature_floor(NAME BELOW FLOOR... LIBRARIES LIBRARY... SOURCES FILE...)
+#
+# Headers are included as "floor/name.h". The only include directory of a floor is build/<preset>/floors/NAME, which
+# holds nothing but a link to its folder; so a file sees its own floor and those that it is linked with, all of them
+# below, and an include that runs up does not compile.
+function(armature_floor name)
+  cmake_parse_arguments(PARSE_ARGV 1 floor "" "" "BELOW;LIBRARIES;SOURCES")
+  set(target armature_${name})
+  set(root ${CMAKE_BINARY_DIR}/floors/${name})
+  file(MAKE_DIRECTORY ${root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/${name} SYMBOLIC)
+
+  add_library(${target} STATIC ${floor_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY ARMATURE_FLOORS ${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${root}>)
+  target_include_directories(
+    ${target} SYSTEM PUBLIC $<BUILD_INTERFACE:${OpenCV_INCLUDE_DIRS}> $<BUILD_INTERFACE:${CERES_INCLUDE_DIRS}>
+    PRIVATE ${FLANN_INCLUDE_DIR} ${PCL_INCLUDE_DIR})
+  list(TRANSFORM floor_BELOW PREPEND armature_)
+  target_link_libraries(
+    ${target}
+    PUBLIC ${floor_BELOW} Eigen3::Eigen fmt::fmt
+    PRIVATE armature_flags ${floor_LIBRARIES})
+  # The files of a floor are compiled together, so the names in their anonymous namespaces differ. Who changes a file
+  # again and again configures with -DARMATURE_UNITY=OFF.
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${ARMATURE_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+endfunction()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one image says about one object, after association and resection.
+#pragma once
+
+#include "resection/line_resection.h"
+#include "resection/object_estimate.h"
+
+namespace armature {
+
+struct SingleViewResult {
+  ObjectEstimate estimate;
+  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to
+  // learn from. Learning from the estimate would count the memory twice.
+  Measurement measured;
+  ImageEvidence evidence;  // the same again without up and shape statistics, about measured.estimate
+  PoseAndShape initial;    // the winning hypothesis before resection
+};
+
+}  // namespace armature

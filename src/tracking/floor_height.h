@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How high the camera is above the floor, learnt from the furniture that stands on it.
+//
+// One view leaves an object's distance uncertain by some 6 % because its size is; objects that share a floor
+// share that distance, and a box that the image cuts on three sides hardly has one of its own.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "association/object_view.h"
+#include "category/category_model.h"
+#include "resection/single_view_result.h"
+
+namespace armature {
+
+struct FloorOptions {
+  bool enabled = true;
+  double initial_height = 1.4;  // metres: a camera held or flown by people in rooms, before anything is seen
+  double initial_sigma = 0.4;   // metres
+  double drift = 0.1;  // metres per square root of a second: of the height where the odometry cannot tell
+  double climb_error =
+      0.15;  // share of the climb that the odometry tells, with the scale as the objects give it
+  double size_sigma = 0.07;  // share: furniture is this much larger or smaller than its category's reference
+  double min_sigma = 0.03;   // metres: never surer than this
+};
+
+class FloorHeight {
+ public:
+  explicit FloorHeight(const FloorOptions& options)
+      : options_(options), height_(options.initial_height), sigma_(options.initial_sigma) {}
+
+  // The prior for a frame at this time. `climb`: how far the camera rose since the last frame, metres; none
+  // where the odometry or its scale is not known.
+  std::optional<FloorPrior> Predict(double timestamp, std::optional<double> climb);
+
+  // What an accepted estimate in that frame says; objects that do not stand on the floor say nothing.
+  void Learn(const SingleViewResult& estimation, const CategoryModel& model,
+             const Eigen::Vector3d& up_camera);
+
+ private:
+  FloorOptions options_;
+  double height_;  // metres
+  double sigma_;   // metres
+  std::optional<double> last_timestamp_;
+};
+
+// Height of the camera above the lowest point of the wireframe, along up; metres.
+double CameraHeightAbove(const Wireframe& wireframe, const Eigen::Isometry3d& T_camera_object,
+                         const Eigen::Vector3d& up_camera);
+
+}  // namespace armature

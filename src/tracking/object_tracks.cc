@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking/object_tracks.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "association/box_constraints.h"
+#include "geometry/rotation.h"
+#include "geometry/viewpoint.h"
+
+namespace armature {
+namespace {
+
+constexpr double kVoteSigma = 12 * kDegree;
+constexpr double kVoteOutliers = 0.05;
+
+// Covariance of (position, yaw, shape) with the position's unit changed by the factor.
+Eigen::MatrixXd InUnit(const Eigen::MatrixXd& covariance, double factor) {
+  Eigen::MatrixXd result = covariance;
+  result.topRows<3>() *= factor;
+  result.leftCols<3>() *= factor;
+  return result;
+}
+
+// Two horizontal directions, at yaw 0 and 90 degrees, that stay where they are in the odometry's frame as the
+// estimate of up changes a little: the odometry's z axis, the first camera's optical axis, is seldom
+// vertical.
+struct HorizontalAxes {
+  Eigen::Vector3d zero, quarter;
+
+  explicit HorizontalAxes(const Eigen::Vector3d& up) {
+    const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+    zero = z - z.dot(up) * up;
+    if (zero.norm() < 0.1) zero = up.unitOrthogonal();
+    zero.normalize();
+    quarter = up.cross(zero);
+  }
+  double YawOf(const Eigen::Vector3d& front) const { return std::atan2(front.dot(quarter), front.dot(zero)); }
+  Eigen::Matrix3d Rotation(double yaw, const Eigen::Vector3d& up) const {
+    const Eigen::Vector3d front = std::cos(yaw) * zero + std::sin(yaw) * quarter;
+    Eigen::Matrix3d R;
+    R << up.cross(front), up, front;
+    return R;
+  }
+};
+
+}  // namespace
+
+ObjectTracks::Track ObjectTracks::NewTrack(const CategoryModel& model) const {
+  Track track;
+  track.model = &model;
+  const int n = track.unknowns();
+  track.normal = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  track.right_side = Eigen::VectorXd::Zero(n + 1);
+  track.state = Eigen::VectorXd::Zero(n);
+  track.covariance = Eigen::MatrixXd::Identity(n, n);
+  track.by_units = Eigen::VectorXd::Zero(n);
+  return track;
+}
+
+PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
+                                    const Eigen::Vector3d& up_odom) const {
+  const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
+  PoseAndShape expected;
+  expected.T_camera_object.linear() =
+      R_camera_odom * HorizontalAxes(up_odom).Rotation(track.state(3), up_odom);
+  expected.T_camera_object.translation() =
+      R_camera_odom * (track.state.head<3>() - T_odom_camera.translation()) / units_;
+  expected.coefficients = track.state.tail(track.model->modes());
+  return expected;
+}
+
+std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<ObjectView>& views,
+                                         const Eigen::Isometry3d& T_odom_camera) const {
+  std::vector<int> result(views.size(), -1);
+  std::vector<std::tuple<double, size_t, size_t>> pairs;  // negative score, view, track
+  for (size_t t = 0; t < tracks_.size(); ++t) {
+    if (timestamp - tracks_[t].last_seen > options_.max_gap || views.empty()) continue;
+    const auto expected = ExpectedBox(*views.front().camera, *tracks_[t].model,
+                                      Expected(tracks_[t], T_odom_camera, tracks_[t].up_odom));
+    if (!expected) continue;
+    for (size_t v = 0; v < views.size(); ++v) {
+      if (views[v].model != tracks_[t].model) continue;
+      const auto agreement = BoxAgreement(*expected, views[v].detection.box, 0.25);
+      if (agreement) pairs.emplace_back(-*agreement, v, t);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<bool> taken(tracks_.size(), false);
+  for (const auto& [score, v, t] : pairs) {
+    if (result[v] >= 0 || taken[t]) continue;
+    result[v] = static_cast<int>(t);
+    taken[t] = true;
+  }
+  return result;
+}
+
+std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera,
+                                                 const Eigen::Vector3d& up_camera) const {
+  if (index < 0) return std::nullopt;
+  const Track& track = tracks_[static_cast<size_t>(index)];
+  if (track.observations < options_.min_observations) return std::nullopt;
+  const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
+  const Eigen::Vector3d up_odom = T_odom_camera.linear() * up_camera;
+  ObjectMemory memory;
+  memory.expected = Expected(track, T_odom_camera, up_odom);
+  if (memory.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
+  // Never too sure of it: floors keep a wrong memory correctable.
+  const double position_sigma =
+      options_.min_relative_sigma * memory.expected.T_camera_object.translation().norm();
+  Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
+  covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
+  covariance(3, 3) += std::pow(options_.min_yaw_sigma_deg * kDegree, 2);
+  covariance.diagonal().tail(track.model->modes()).array() +=
+      options_.min_shape_sigma * options_.min_shape_sigma;
+  Eigen::MatrixXd to_camera = Eigen::MatrixXd::Identity(track.unknowns(), track.unknowns());
+  to_camera.topLeftCorner<3, 3>() = R_camera_odom;
+  covariance = to_camera * covariance * to_camera.transpose();
+  // I = L L^T, and the residual is whitened by L^T.
+  memory.information = covariance.inverse();
+  memory.sqrt_information = memory.information.llt().matrixU();
+  memory.belief = track.belief;
+  const HorizontalAxes axes(up_odom);
+  memory.yaw_zero = R_camera_odom * axes.zero;
+  memory.yaw_quarter = R_camera_odom * axes.quarter;
+  return memory;
+}
+
+int ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
+                        const SingleViewResult& estimation, const Eigen::Isometry3d& T_odom_camera) {
+  if (index < 0) {
+    tracks_.push_back(NewTrack(*view.model));
+    tracks_.back().id = started_++;
+    index = static_cast<int>(tracks_.size()) - 1;
+  }
+  Track& track = tracks_[static_cast<size_t>(index)];
+  if (view.up_camera) track.up_odom = T_odom_camera.linear() * *view.up_camera;
+  Accumulate(track, estimation, T_odom_camera);
+  Vote(track, view, estimation, T_odom_camera);
+  track.last_seen = timestamp;
+  ++track.observations;
+  return track.id;
+}
+
+void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
+                              const Eigen::Isometry3d& T_odom_camera) {
+  const int n = track.unknowns(), B = n - 4;
+  const Eigen::Matrix3d R = T_odom_camera.linear();
+  const Eigen::Isometry3d& T = estimation.measured.estimate.T_camera_object;
+  const Eigen::Vector3d t = T.translation(), ray = t.normalized();
+  const bool known = track.observations >= options_.min_observations;
+
+  // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's
+  // axes.
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(n, 6 + B);
+  G.block<3, 3>(0, 3) = R;
+  G.block<1, 3>(3, 0) = (R.transpose() * track.up_odom).transpose();
+  G.block(4, 6, B, B).setIdentity();
+  Eigen::MatrixXd covariance = options_.measurement_scale * options_.measurement_scale * G *
+                               estimation.measured.covariance * G.transpose();
+  // The expected distance, not the measured one: near errors would weigh more than far ones.
+  const double distance =
+      known ? Expected(track, T_odom_camera, track.up_odom).T_camera_object.translation().norm() : t.norm();
+  const double depth_sigma = options_.depth_sigma * distance,
+               lateral_sigma = options_.lateral_sigma * distance;
+  covariance.topLeftCorner<3, 3>() += depth_sigma * depth_sigma * R * ray * ray.transpose() * R.transpose();
+  covariance.diagonal().head<3>().array() += lateral_sigma * lateral_sigma;
+  covariance(3, 3) += std::pow(options_.yaw_sigma_deg * kDegree, 2);
+  covariance.diagonal().tail(B).array() += options_.shape_sigma * options_.shape_sigma;
+
+  covariance = InUnit(covariance, units_);
+
+  // [I, -R t] (z, u) = y
+  const double yaw = HorizontalAxes(track.up_odom).YawOf(R * T.linear().col(2));
+  const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
+  Eigen::VectorXd y(n);
+  y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw),
+      estimation.measured.estimate.coefficients;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + 1);
+  A.leftCols(n).setIdentity();
+  A.block<3, 1>(0, n) = -R * t;
+  double weight = 1;
+  if (known) {
+    Eigen::VectorXd off = track.state - y;
+    off.head<3>() -= units_ * R * t;
+    weight = 1 / (1 + off.dot((track.covariance + covariance).llt().solve(off)) / (2 * n));
+  }
+  if (known)
+    LearnUnits(track, T_odom_camera, t.norm(), R * ray,
+               (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
+  const Eigen::MatrixXd information = weight * covariance.inverse();
+  // The category's shape statistics out of the measurement, inflated as it was; Update puts them in once.
+  Eigen::MatrixXd without_prior = information;
+  without_prior.diagonal().tail(B).array() -=
+      weight / (std::pow(options_.measurement_scale, 2) / estimation.measured.shape_prior_information +
+                std::pow(options_.shape_sigma, 2));
+  track.normal = options_.fading * track.normal + A.transpose() * without_prior * A;
+  track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
+}
+
+// log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
+// more of q itself rests on u (share f: all of it without a baseline), the less there is to learn.
+void ObjectTracks::LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                              const Eigen::Vector3d& ray_odom, double variance_along) {
+  const Eigen::Vector3d to_object = track.state.head<3>() - T_odom_camera.translation();
+  const double expected = to_object.dot(ray_odom);
+  if (expected <= 0) return;
+  const double f = std::clamp(track.by_units.head<3>().dot(ray_odom) * units_ / expected, 0.0, 1.0);
+  const double expected_variance = ray_odom.dot(track.covariance.topLeftCorner<3, 3>() * ray_odom);
+  const double variance = (variance_along + expected_variance) / (expected * expected);
+  const double error = std::log(distance) + log_units_ - std::log(expected);  // 0 if u is right
+  const double slope = 1 - f;
+  const double gain_information = slope * slope / (variance * (1 + error * error / (6 * variance)));
+  units_information_ = 0.995 * units_information_ + gain_information;
+  log_units_ -= gain_information / units_information_ * error / std::max(slope, 0.05);
+}
+
+void ObjectTracks::Vote(Track& track, const ObjectView& view, const SingleViewResult& estimation,
+                        const Eigen::Isometry3d& T_odom_camera) const {
+  if (!view.detection.azimuth) return;
+  const Eigen::Isometry3d& T = estimation.estimate.T_camera_object;
+  // Turning the estimate to the prior's azimuth gives the prior's front.
+  const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+  const Eigen::Matrix3d R = T_odom_camera.linear() * T.linear() *
+                            Eigen::AngleAxisd(azimuth - *view.detection.azimuth, Eigen::Vector3d::UnitY());
+  const double voted = HorizontalAxes(track.up_odom).YawOf(R.col(2));
+  double least = 1e9;
+  for (int bin = 0; bin < YawBelief::kBins; ++bin) {
+    const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
+    const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
+    double& cost = track.belief.cost[static_cast<size_t>(bin)];
+    cost = options_.fading * cost -
+           options_.vote_weight *
+               std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
+    least = std::min(least, cost);
+  }
+  for (double& cost : track.belief.cost) cost -= least;
+}
+
+// Half a turn back where the votes of all frames have come to favour it.
+void ObjectTracks::TurnToBelief(Track& track) const {
+  const double clearly = 2;
+  if (track.belief.At(track.state(3)) < track.belief.At(track.state(3) + M_PI) + clearly) return;
+  track.right_side += track.normal.col(3) * M_PI;  // normal * (z + pi e_yaw) = right side + normal * pi e_yaw
+  track.state(3) += M_PI;
+}
+
+ScaleEstimate ObjectTracks::Scale() const { return {1 / units_, 1 / std::sqrt(units_information_)}; }
+
+void ObjectTracks::Update(double timestamp) {
+  std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
+  units_ = std::exp(log_units_);
+  for (Track& track : tracks_) {
+    const int n = track.unknowns();
+    Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
+    zz.diagonal().tail(n - 4).array() += 1;  // the category's shape statistics
+    zz.diagonal().head<4>().array() += 1e-6;
+    const Eigen::LLT<Eigen::MatrixXd> factor(zz);
+    track.by_units = -factor.solve(track.normal.topRightCorner(n, 1));
+    track.state = factor.solve(track.right_side.head(n)) + units_ * track.by_units;
+    track.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
+    TurnToBelief(track);
+  }
+}
+
+}  // namespace armature
