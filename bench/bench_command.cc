@@ -35,7 +35,7 @@ bool AreDrawn(const BenchArguments& a, const BenchPlan& plan) {
 
 // Adds the table of what moved. Returns whether anything became slower.
 bool Guard(const BenchRecord& reference, const std::set<TableOfSequence>& measured, BenchResults& results) {
-  const BenchRecord now = RecordOf(results.environment, results.report);
+  const BenchRecord now = MakeRecord(results.environment, results.report);
   const GuardResult guard =
       CompareWithReference(GuardedPart(reference, measured), GuardedPart(now, measured));
   results.report.sections.push_back({.name = "against", .sequence = "", .tables = {GuardTable(guard)}});
@@ -140,7 +140,7 @@ int RunBench(BenchArguments a) {
   const BenchPlan plan(a);
   a.tables = plan.tables;
   a.engines = plan.settings.engines;
-  if (reference) CheckSharesTables(*reference, TablesOfSequences(plan));
+  if (reference) CheckSharesTables(*reference, ListTablesOfSequences(plan));
   const bool draw = AreDrawn(a, plan);
   if (draw) CheckGnuplot();
   std::optional<BenchFolder> folder;
@@ -148,7 +148,7 @@ int RunBench(BenchArguments a) {
 
   BenchResults results{GetBenchEnvironment(a.threads), SettingsJson(a, plan.parts.options), {}};
   results.report = Measure(plan);
-  const bool slower = reference && Guard(*reference, TablesOfSequences(plan), results);
+  const bool slower = reference && Guard(*reference, ListTablesOfSequences(plan), results);
   if (draw) WritePlots(results.report, plan.settings.objects, *folder);
   if (folder) WriteBench(results, *folder);
   fmt::print("{}", BenchText(results, format));

@@ -69,7 +69,7 @@ std::string RawRow(const BenchSection& section, const BenchRow& row) {
 std::string BenchJson(const BenchEnvironment& environment, const Json& settings, const BenchReport& report) {
   Json json{{"program", "armature bench"}, {"environment", EnvironmentJson(environment)}};
   json["settings"] = settings;
-  AddBenchRecord(RecordOf(environment, report), json);
+  AddBenchRecord(MakeRecord(environment, report), json);
   for (const char* list : {"sections", "series", "tables"}) json[list] = Json::array();
   for (const BenchSection& section : report.sections) AddSection(section, json);
   json["complete"] = true;

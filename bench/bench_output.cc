@@ -5,8 +5,8 @@
 
 #include "bench/plots/section_plots.h"
 #include "cli/printed_tables.h"
+#include "io/atomic_write.h"
 #include "io/run_folder.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -46,8 +46,8 @@ void WritePlots(const BenchReport& report, size_t objects, const BenchFolder& fo
 
 void WriteBench(const BenchResults& results, BenchFolder& folder) {
   const std::filesystem::path& to = folder.partial();
-  WriteWholeFile(to / "bench.json", BenchText(results, TableFormat::kJson));
-  WriteWholeFile(to / "raw.csv", RawCsv(results.report));
+  AtomicWrite(to / "bench.json", BenchText(results, TableFormat::kJson));
+  AtomicWrite(to / "raw.csv", RawCsv(results.report));
   WriteTableFiles(to, [&](TableFormat format) { return BenchText(results, format); });
   folder.Publish();
 }

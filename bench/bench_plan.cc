@@ -44,11 +44,11 @@ std::vector<std::string> EachOnce(const std::vector<std::string>& names) {
   return once;
 }
 
-EngineParts PartsOf(const ConfigurationArguments& configuration) {
+EngineParts MakeParts(const ConfigurationArguments& configuration) {
   return {LoadOptions(configuration), LoadPresets(configuration), LoadModels(configuration)};
 }
 
-BenchSettings SettingsOf(const BenchArguments& a, const EngineParts& parts) {
+BenchSettings MakeSettings(const BenchArguments& a, const EngineParts& parts) {
   BenchSettings settings;
   settings.harness = {static_cast<size_t>(a.warm_up), static_cast<size_t>(a.repeat)};
   settings.threads = a.threads;
@@ -61,7 +61,7 @@ BenchSettings SettingsOf(const BenchArguments& a, const EngineParts& parts) {
 }
 
 // The tables that were chosen, or all that these engines can fill: one compares our pipeline's threads.
-std::vector<std::string> TablesOf(const BenchArguments& a, const std::vector<std::string>& engines) {
+std::vector<std::string> MakeTables(const BenchArguments& a, const std::vector<std::string>& engines) {
   std::vector<std::string> tables = EachOnce(a.tables.empty() ? BenchTableNames() : a.tables);
   if (std::any_of(engines.begin(), engines.end(), IsLinesEngine)) return tables;
   const auto pipelined = std::find(tables.begin(), tables.end(), kPipelinedTable);
@@ -72,7 +72,7 @@ std::vector<std::string> TablesOf(const BenchArguments& a, const std::vector<std
   return tables;
 }
 
-MicroSetup MicroSetupOf(const EngineParts& parts) {
+MicroSetup MakeMicroSetup(const EngineParts& parts) {
   return {
       .models = parts.models, .association = parts.options.association, .resection = parts.options.resection};
 }
@@ -107,7 +107,8 @@ struct LoadedSequence {
 };
 
 std::vector<LoadedSequence> LoadImages(const BenchPlan& plan) {
-  const CadLibrary cad = plan.cad.empty() ? CadLibrary() : CadLibrary(plan.cad, SpecsOf(plan.parts.models));
+  const CadLibrary cad =
+      plan.cad.empty() ? CadLibrary() : CadLibrary(plan.cad, CollectSpecs(plan.parts.models));
   std::vector<LoadedSequence> loaded;
   for (const Sequence& sequence : plan.sequences) {
     LoadedSequence& to = loaded.emplace_back();
@@ -119,12 +120,12 @@ std::vector<LoadedSequence> LoadImages(const BenchPlan& plan) {
 
 }  // namespace
 
-BenchPlan::BenchPlan(const BenchArguments& a) : cad(a.cad), parts(PartsOf(a.configuration)) {
+BenchPlan::BenchPlan(const BenchArguments& a) : cad(a.cad), parts(MakeParts(a.configuration)) {
   CheckBenchArguments(a);
   frames = static_cast<size_t>(a.frames);
-  settings = SettingsOf(a, parts);
-  tables = TablesOf(a, settings.engines);
-  micro_setup = MicroSetupOf(parts);
+  settings = MakeSettings(a, parts);
+  tables = MakeTables(a, settings.engines);
+  micro_setup = MakeMicroSetup(parts);
   micro = ChosenMicroBenchmarks(MicroBenchmarks(micro_setup), a.micro);
   retrieval.sizes = RetrievalSizes(a.retrieval_sizes);
   if (std::none_of(tables.begin(), tables.end(), NeedsSequence)) return;
@@ -140,7 +141,7 @@ bool BenchPlan::Has(const std::string& table) const {
   return std::find(tables.begin(), tables.end(), table) != tables.end();
 }
 
-std::set<TableOfSequence> TablesOfSequences(const BenchPlan& plan) {
+std::set<TableOfSequence> ListTablesOfSequences(const BenchPlan& plan) {
   std::set<TableOfSequence> all;
   for (const std::string& table : plan.tables) {
     if (!NeedsSequence(table)) {
@@ -160,7 +161,7 @@ BenchReport Measure(const BenchPlan& plan) {
   }
   cv::setNumThreads(plan.settings.threads);
   BenchReport report;
-  Progress progress("bench: tables", static_cast<long>(TablesOfSequences(plan).size()));
+  Progress progress("bench: tables", static_cast<long>(ListTablesOfSequences(plan).size()));
   const auto add = [&](BenchSection section) {
     report.sections.push_back(std::move(section));
     progress.Step();

@@ -37,7 +37,7 @@ struct BenchPlan {
 };
 
 // What the report will have sections of.
-std::set<TableOfSequence> TablesOfSequences(const BenchPlan& plan);
+std::set<TableOfSequence> ListTablesOfSequences(const BenchPlan& plan);
 
 // Memory first, in processes of their own, then the images are loaded; the sections are in the order of
 // sequences and tables, those without a sequence last.

@@ -22,7 +22,7 @@ BenchFrame LoadFrame(const Sequence& sequence, size_t index) {
   return frame;
 }
 
-size_t CountOf(const Sequence& sequence, size_t limit) {
+size_t CountFrames(const Sequence& sequence, size_t limit) {
   return limit > 0 ? std::min(limit, sequence.images.size()) : sequence.images.size();
 }
 
@@ -37,7 +37,7 @@ double ScaledCentre(double pixel, double scale) { return (pixel + 0.5) * scale -
 }  // namespace
 
 void CheckHasObjects(const Sequence& sequence, size_t limit) {
-  const size_t count = CountOf(sequence, limit);
+  const size_t count = CountFrames(sequence, limit);
   const auto first = sequence.detections.begin(), end = first + static_cast<long>(count);
   if (std::any_of(first, end, [](const auto& detections) { return !detections.empty(); })) return;
   throw InputError(
@@ -49,7 +49,7 @@ void CheckHasObjects(const Sequence& sequence, size_t limit) {
 BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit) {
   CheckHasObjects(sequence, limit);
   BenchSequence loaded{sequence.name, sequence.camera, sequence.up, sequence.odometry_metric, {}};
-  for (size_t i = 0; i < CountOf(sequence, limit); ++i) {
+  for (size_t i = 0; i < CountFrames(sequence, limit); ++i) {
     ThrowIfInterrupted();
     loaded.frames.push_back(LoadFrame(sequence, i));
   }

@@ -48,13 +48,13 @@ std::string FullEngineName(const std::string& name, const EngineParts& parts) {
 
 bool IsLinesEngine(const std::string& full_name) { return full_name.starts_with(kLines); }
 
-const Options& OptionsOf(const std::string& full_name, const EngineParts& parts) {
+const Options& MakeOptions(const std::string& full_name, const EngineParts& parts) {
   return full_name == kDefaultEngine ? parts.options : parts.presets.at(full_name.substr(kLines.size()));
 }
 
 std::unique_ptr<Engine> MakeEngine(const std::string& full_name, const EngineParts& parts) {
   if (!IsLinesEngine(full_name)) return MakeBaseline(full_name.substr(kKeypoints.size()), parts);
-  return std::make_unique<LinesEngine>(OptionsOf(full_name, parts), parts.models);
+  return std::make_unique<LinesEngine>(MakeOptions(full_name, parts), parts.models);
 }
 
 }  // namespace armature

@@ -37,7 +37,7 @@ std::string FullEngineName(const std::string& name, const EngineParts& parts);
 bool IsLinesEngine(const std::string& full_name);
 
 // Of a lines engine.
-const Options& OptionsOf(const std::string& full_name, const EngineParts& parts);
+const Options& MakeOptions(const std::string& full_name, const EngineParts& parts);
 
 // The full name has to be known.
 std::unique_ptr<Engine> MakeEngine(const std::string& full_name, const EngineParts& parts);

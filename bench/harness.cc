@@ -55,7 +55,7 @@ void RaceOnce(const std::vector<Contender>& contenders, size_t inputs, size_t wa
 
 }  // namespace
 
-Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequence& sequence) {
+Contender MakeContender(const std::string& name, Engine& engine, const BenchSequence& sequence) {
   return {.name = name,
           .start = [&engine, &sequence] { engine.Start(sequence); },
           .run = [&engine, &sequence](size_t input) { return engine.Process(sequence.frames[input]); }};

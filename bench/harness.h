@@ -39,7 +39,7 @@ struct Contender {
 };
 
 // Runs the engine on the sequence's frames. Both have to outlive the contender.
-Contender ContenderOf(const std::string& name, Engine& engine, const BenchSequence& sequence);
+Contender MakeContender(const std::string& name, Engine& engine, const BenchSequence& sequence);
 
 struct HarnessOptions {
   size_t warm_up = 5;      // first inputs of each repetition that every contender sees, but that do not count

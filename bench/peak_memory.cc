@@ -99,7 +99,7 @@ void CheckEnd(int status, const std::string& message) {
 
 }  // namespace
 
-PeakMemory PeakMemoryOf(const std::function<void()>& work) {
+PeakMemory MeasurePeakMemory(const std::function<void()>& work) {
   std::fflush(nullptr);  // or the child could write it a second time
   malloc_trim(0);
   std::array<int, 2> ends{};

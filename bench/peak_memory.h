@@ -22,6 +22,6 @@ struct PeakMemory {
 // Runs the work in a forked child, whose output is thrown away, and waits for it. Call it before any thread
 // is started: a child has only the thread that forked, and locks that others held stay locked. Throws
 // InputError with the child's message when the work threw one, std::runtime_error when it failed otherwise.
-PeakMemory PeakMemoryOf(const std::function<void()>& work);
+PeakMemory MeasurePeakMemory(const std::function<void()>& work);
 
 }  // namespace armature

@@ -9,7 +9,7 @@
 namespace armature {
 namespace {
 
-double SumOf(const FrameOutcome& outcome) {
+double SumStages(const FrameOutcome& outcome) {
   double sum = 0;
   for (const std::optional<double>& stage : outcome.stages_ms) sum += stage.value_or(0);
   return sum;
@@ -24,34 +24,34 @@ std::optional<double> Processing(const FrameOutcome& outcome) {
 
 }  // namespace
 
-std::optional<double> DurationOf(const BenchRow& row, std::string_view span) {
+std::optional<double> FindDuration(const BenchRow& row, std::string_view span) {
   if (span == kTotal) return row.total_ms();
   if (span == kProcessing) return Processing(row.outcome);
   if (span == kOnTop) return row.total_ms() - row.outcome.stage(BenchStage::kDetection).value_or(0);
-  if (span == kOther) return row.total_ms() - SumOf(row.outcome);
+  if (span == kOther) return row.total_ms() - SumStages(row.outcome);
   const auto found = std::find(kBenchStageNames.begin(), kBenchStageNames.end(), span);
   if (found == kBenchStageNames.end()) throw std::logic_error("no such span: " + std::string(span));
   return row.outcome.stages_ms[static_cast<size_t>(found - kBenchStageNames.begin())];
 }
 
-std::vector<double> DurationsOf(const std::vector<BenchRow>& rows, const std::string& contender,
-                                std::string_view span) {
+std::vector<double> CollectDurations(const std::vector<BenchRow>& rows, const std::string& contender,
+                                     std::string_view span) {
   std::vector<double> durations;
   for (const BenchRow& row : rows) {
     if (row.contender != contender) continue;
-    if (const auto duration = DurationOf(row, span)) durations.push_back(*duration);
+    if (const auto duration = FindDuration(row, span)) durations.push_back(*duration);
   }
   return durations;
 }
 
-std::optional<double> MiddleOf(const std::vector<double>& values) {
-  const auto statistics = StatisticsOf(values);
+std::optional<double> ComputeMedian(const std::vector<double>& values) {
+  const auto statistics = ComputeStatistics(values);
   return statistics ? std::optional(statistics->median) : std::nullopt;
 }
 
-std::optional<double> MedianOf(const std::vector<BenchRow>& rows, const std::string& contender,
-                               std::string_view span) {
-  return MiddleOf(DurationsOf(rows, contender, span));
+std::optional<double> MedianDuration(const std::vector<BenchRow>& rows, const std::string& contender,
+                                     std::string_view span) {
+  return ComputeMedian(CollectDurations(rows, contender, span));
 }
 
 std::vector<double> DurationsAnObject(const std::vector<BenchRow>& rows, const std::string& contender,
@@ -59,20 +59,20 @@ std::vector<double> DurationsAnObject(const std::vector<BenchRow>& rows, const s
   std::vector<double> durations;
   for (const BenchRow& row : rows) {
     if (row.contender != contender || row.outcome.objects == 0) continue;
-    if (const auto duration = DurationOf(row, span)) durations.push_back(*duration / row.outcome.objects);
+    if (const auto duration = FindDuration(row, span)) durations.push_back(*duration / row.outcome.objects);
   }
   return durations;
 }
 
-std::vector<NamedSpan> SpansOf(const std::string& table, const std::string& sequence,
-                               const std::vector<BenchRow>& rows,
-                               const std::vector<std::string>& contenders) {
+std::vector<NamedSpan> CollectSpans(const std::string& table, const std::string& sequence,
+                                    const std::vector<BenchRow>& rows,
+                                    const std::vector<std::string>& contenders) {
   std::vector<std::string_view> names(kBenchStageNames.begin(), kBenchStageNames.end());
   names.push_back(kTotal);
   std::vector<NamedSpan> spans;
   for (const std::string& contender : contenders) {
     for (const std::string_view name : names) {
-      const auto statistics = StatisticsOf(DurationsOf(rows, contender, name));
+      const auto statistics = ComputeStatistics(CollectDurations(rows, contender, name));
       if (statistics) spans.push_back({table, sequence, contender, std::string(name), *statistics});
     }
   }

@@ -13,26 +13,27 @@
 namespace armature {
 
 // Milliseconds of a stage (kBenchStageNames) or of one of the above. None: the engine has no such stage.
-std::optional<double> DurationOf(const BenchRow& row, std::string_view span);
+std::optional<double> FindDuration(const BenchRow& row, std::string_view span);
 
 // Of one contender, in the order of the rows; those that have it.
-std::vector<double> DurationsOf(const std::vector<BenchRow>& rows, const std::string& contender,
-                                std::string_view span);
+std::vector<double> CollectDurations(const std::vector<BenchRow>& rows, const std::string& contender,
+                                     std::string_view span);
 
 // Median of such durations, none of nothing.
-std::optional<double> MedianOf(const std::vector<BenchRow>& rows, const std::string& contender,
-                               std::string_view span);
+std::optional<double> MedianDuration(const std::vector<BenchRow>& rows, const std::string& contender,
+                                     std::string_view span);
 
 // The median of values, none of none.
-std::optional<double> MiddleOf(const std::vector<double>& values);
+std::optional<double> ComputeMedian(const std::vector<double>& values);
 
 // Milliseconds of a span for each object, in those rows that have any.
 std::vector<double> DurationsAnObject(const std::vector<BenchRow>& rows, const std::string& contender,
                                       std::string_view span);
 
 // The contenders' stages and totals; a stage that never ran has none.
-std::vector<NamedSpan> SpansOf(const std::string& table, const std::string& sequence,
-                               const std::vector<BenchRow>& rows, const std::vector<std::string>& contenders);
+std::vector<NamedSpan> CollectSpans(const std::string& table, const std::string& sequence,
+                                    const std::vector<BenchRow>& rows,
+                                    const std::vector<std::string>& contenders);
 
 // Of two contenders in the same runs: the other's total over the reference's.
 std::vector<double> PairedRatios(const std::vector<BenchRow>& rows, const std::string& other,

@@ -14,8 +14,8 @@
 #include "cli/printed_tables.h"
 #include "eval/compare_runs.h"
 #include "eval/trajectories/trajectory_alignment.h"
+#include "io/atomic_write.h"
 #include "io/run_folder.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -66,7 +66,7 @@ int RunCompare(const CompareArguments& arguments, const CompareFolders& compare_
   if (arguments.results.size() < 2) throw InputError("compare: give two results or more, the first is A");
   CheckKinds(arguments.results);
   const Comparison comparison = Compare(arguments, compare_benches);
-  if (!arguments.raw.empty()) WriteWholeFile(arguments.raw, RawPairColumns() + comparison.raw);
+  if (!arguments.raw.empty()) AtomicWrite(arguments.raw, RawPairColumns() + comparison.raw);
   for (const std::string& warning : comparison.warnings) Note("warning: " + warning);
   fmt::print("{}", FormatTables(comparison.tables, format));
   return 0;

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using RunsBySequence = std::map<std::string, RunToEvaluate>;
 
-RunsBySequence RunsOf(const fs::path& folder, const CompareArguments& arguments) {
+RunsBySequence CollectRuns(const fs::path& folder, const CompareArguments& arguments) {
   RunsBySequence runs;
   for (const RunToEvaluate& run : FindRuns({folder}, arguments.ground_truth)) {
     const auto [other, is_new] = runs.emplace(run.run.sequence, run);
@@ -32,18 +32,18 @@ RunsBySequence RunsOf(const fs::path& folder, const CompareArguments& arguments)
   return runs;
 }
 
-std::string SequencesOf(const RunsBySequence& runs) {
+std::string ListSequences(const RunsBySequence& runs) {
   std::string names;
   for (const auto& [sequence, run] : runs) names += (names.empty() ? "" : ", ") + sequence;
   return names;
 }
 
 // Against the truth of A, which is B's too where they are of the same data; then times.
-std::vector<NamedValues> ValuesOf(const RunToEvaluate& run, const fs::path& truth,
-                                  const std::vector<CategoryModel>& models,
-                                  const ObjectEvaluationOptions& options) {
-  std::vector<NamedValues> values = ErrorsOfRun(run.run.folder, truth, models, options);
-  std::vector<NamedValues> times = TimesOfRun(run.run.folder);
+std::vector<NamedValues> CollectValues(const RunToEvaluate& run, const fs::path& truth,
+                                       const std::vector<CategoryModel>& models,
+                                       const ObjectEvaluationOptions& options) {
+  std::vector<NamedValues> values = ComputeRunErrors(run.run.folder, truth, models, options);
+  std::vector<NamedValues> times = ReadRunTimes(run.run.folder);
   std::move(times.begin(), times.end(), std::back_inserter(values));
   return values;
 }
@@ -55,7 +55,7 @@ std::vector<ComparedValues> DistancesWithoutTruth(const RunToEvaluate& a, const 
   const bool cameras = a.HasTruth("groundtruth.txt"), objects = cameras && a.HasTruth("objects_gt.csv");
   if (objects) return {};
   std::vector<ComparedValues> distances =
-      ResultDistances(a.run.folder, b.run.folder, SpecsOf(models), options);
+      ResultDistances(a.run.folder, b.run.folder, CollectSpecs(models), options);
   std::erase_if(distances, [&](const ComparedValues& of) { return cameras && of.name == kCameraDistance; });
   return distances;
 }
@@ -74,7 +74,7 @@ void CompareRun(const RunToEvaluate& a, const RunToEvaluate& b, const std::vecto
     comparison.raw += RawPairRows(b.run.folder.string(), a.run.sequence, compared);
   };
   const std::vector<ComparedValues> differences =
-      PairValues(ValuesOf(a, a.truth, models, options), ValuesOf(b, a.truth, models, options));
+      PairValues(CollectValues(a, a.truth, models, options), CollectValues(b, a.truth, models, options));
   Table table = DifferenceTable(differences);
   table.name = "differences";
   table.notes.push_back(
@@ -100,7 +100,7 @@ void CompareRun(const RunToEvaluate& a, const RunToEvaluate& b, const std::vecto
 Comparison CompareRuns(const fs::path& a, const fs::path& b, const CompareArguments& arguments) {
   const ObjectEvaluationOptions options{.alignment = AlignmentFromName(arguments.alignment)};
   const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
-  const RunsBySequence runs_a = RunsOf(a, arguments), runs_b = RunsOf(b, arguments);
+  const RunsBySequence runs_a = CollectRuns(a, arguments), runs_b = CollectRuns(b, arguments);
   Comparison comparison;
   for (const auto& [sequence, run_a] : runs_a) {
     const auto run_b = runs_b.find(sequence);
@@ -111,7 +111,7 @@ Comparison CompareRuns(const fs::path& a, const fs::path& b, const CompareArgume
   }
   if (comparison.tables.empty()) {
     throw InputError(fmt::format("{} and {} have no sequence in common: {}, and {}; compare runs of the same",
-                                 a.string(), b.string(), SequencesOf(runs_a), SequencesOf(runs_b)));
+                                 a.string(), b.string(), ListSequences(runs_a), ListSequences(runs_b)));
   }
   for (const auto& [sequence, run] : runs_b) {
     if (!runs_a.contains(sequence))

@@ -58,9 +58,9 @@ std::vector<Table> ObservationTables(const EvalArguments& arguments, const std::
   const auto observed = RunsFor(asked, arguments, runs,
                                 [](const RunToEvaluate& run) { return run.HasTruth("objects_gt.csv"); });
   if (observed.empty()) return {};
-  return ObservationTablesOfRuns(observed, LoadModels(arguments.configuration),
-                                 asked.empty() ? kObservationTableNames : asked, !asked.empty(),
-                                 arguments.observations);
+  return MakeRunObservationTables(observed, LoadModels(arguments.configuration),
+                                  asked.empty() ? kObservationTableNames : asked, !asked.empty(),
+                                  arguments.observations);
 }
 
 std::vector<Table> TrajectoryTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
@@ -69,7 +69,7 @@ std::vector<Table> TrajectoryTables(const EvalArguments& arguments, const std::v
     return run.HasTruth("groundtruth.txt") && run.HasResult("trajectory.txt");
   });
   if (moved.empty()) return {};
-  return TrajectoryTablesOfRuns(moved, arguments.trajectories, format);
+  return MakeRunTrajectoryTables(moved, arguments.trajectories, format);
 }
 
 std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
@@ -81,21 +81,21 @@ std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vecto
   ObjectArguments objects = arguments.objects;
   objects.first_n = arguments.trajectories.first_n;
   objects.tolerance = arguments.trajectories.tolerance;
-  return ObjectTablesOfRuns(placed, LoadModels(arguments.configuration),
-                            asked.empty() ? kObjectTableNames : asked, !asked.empty(), objects);
+  return MakeRunObjectTables(placed, LoadModels(arguments.configuration),
+                             asked.empty() ? kObjectTableNames : asked, !asked.empty(), objects);
 }
 
 std::vector<Table> RetrievalTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
   std::vector<std::string> names = Asked(kRetrievalTableNames, arguments);
   if (arguments.tables.empty() && !arguments.retrieval.library.empty()) names = {"retrieval"};
   if (names.empty()) return {};
-  return RetrievalTablesOfRuns(runs, LoadModels(arguments.configuration), names, arguments.observations.cad,
-                               arguments.retrieval);
+  return MakeRunRetrievalTables(runs, LoadModels(arguments.configuration), names, arguments.observations.cad,
+                                arguments.retrieval);
 }
 
-std::vector<Table> TablesOfFolders(const EvalArguments& arguments, TableFormat format) {
+std::vector<Table> MakeFolderTables(const EvalArguments& arguments, TableFormat format) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
-  std::vector<Table> tables = TablesOfRuns(arguments, runs, format);
+  std::vector<Table> tables = MakeRunTables(arguments, runs, format);
   if (!tables.empty() || IsAsked(kLibraryTableName, arguments)) return tables;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "
@@ -107,7 +107,7 @@ bool AreTrajectoryFiles(const std::vector<fs::path>& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const fs::path& run) { return fs::is_regular_file(run); });
 }
 
-std::vector<Table> TablesOfFiles(const EvalArguments& arguments, TableFormat format) {
+std::vector<Table> MakeFileTables(const EvalArguments& arguments, TableFormat format) {
   const auto& asked = arguments.tables;
   if (!asked.empty() && asked != std::vector<std::string>{"trajectory"}) {
     throw InputError(
@@ -118,7 +118,7 @@ std::vector<Table> TablesOfFiles(const EvalArguments& arguments, TableFormat for
     throw InputError("--raw: is of detections; use --raw-trajectory with files");
   if (!arguments.retrieval.library.empty())
     throw InputError("--library: is for the objects of runs; trajectory files have none");
-  return TrajectoryTablesOfFiles(arguments.runs, arguments.ground_truth, arguments.trajectories, format);
+  return MakeFileTrajectoryTables(arguments.runs, arguments.ground_truth, arguments.trajectories, format);
 }
 
 std::vector<Table> TablesWithoutRuns(const EvalArguments& arguments) {
@@ -128,15 +128,15 @@ std::vector<Table> TablesWithoutRuns(const EvalArguments& arguments) {
   if (!of_library)
     throw InputError(
         "eval: no run is given; name run folders, or --library FILE for the table 'library' alone");
-  return {TableOfLibrary(LoadModels(arguments.configuration), arguments.retrieval)};
+  return {MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval)};
 }
 
-std::vector<Table> TablesOf(const EvalArguments& arguments, TableFormat format) {
+std::vector<Table> MakeTables(const EvalArguments& arguments, TableFormat format) {
   if (arguments.runs.empty()) return TablesWithoutRuns(arguments);
-  if (AreTrajectoryFiles(arguments.runs)) return TablesOfFiles(arguments, format);
-  std::vector<Table> tables = TablesOfFolders(arguments, format);
+  if (AreTrajectoryFiles(arguments.runs)) return MakeFileTables(arguments, format);
+  std::vector<Table> tables = MakeFolderTables(arguments, format);
   if (IsAsked(kLibraryTableName, arguments))
-    tables.push_back(TableOfLibrary(LoadModels(arguments.configuration), arguments.retrieval));
+    tables.push_back(MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval));
   return tables;
 }
 
@@ -177,8 +177,8 @@ CommandHelp EvalHelp() {
 
 }  // namespace
 
-std::vector<Table> TablesOfRuns(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
-                                TableFormat format) {
+std::vector<Table> MakeRunTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
+                                 TableFormat format) {
   std::vector<Table> tables;
   const auto add = [&](std::vector<Table> more) {
     std::move(more.begin(), more.end(), std::back_inserter(tables));
@@ -202,7 +202,7 @@ int RunEval(EvalArguments arguments) {
     folder.emplace(arguments.out);
     KeepRawRows(folder->partial(), arguments);
   }
-  const std::vector<Table> tables = TablesOf(arguments, format);
+  const std::vector<Table> tables = MakeTables(arguments, format);
   if (folder) WriteEvaluation(arguments.runs, tables, *folder);
   fmt::print("{}", FormatTables(tables, format));
   return 0;

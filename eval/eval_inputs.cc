@@ -46,7 +46,7 @@ std::map<std::string, fs::path> FoldersByName(const std::vector<fs::path>& truth
   return folders;
 }
 
-fs::path TruthOf(const RunIdentity& run, const std::map<std::string, fs::path>& given) {
+fs::path FindTruth(const RunIdentity& run, const std::map<std::string, fs::path>& given) {
   if (const auto found = given.find(run.sequence); found != given.end()) return found->second;
   if (given.empty() && !run.sequence_folder.empty()) return run.sequence_folder;
   throw InputError(
@@ -68,7 +68,7 @@ std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders,
   for (const fs::path& folder : folders) {
     for (const fs::path& run : RunsIn(folder)) {
       runs.push_back({IdentifyRun(run), {}});
-      runs.back().truth = TruthOf(runs.back().run, given);
+      runs.back().truth = FindTruth(runs.back().run, given);
     }
   }
   return runs;

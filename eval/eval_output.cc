@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/printed_tables.h"
+#include "io/atomic_write.h"
 #include "io/build_info.h"
 #include "io/run_folder.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -34,7 +34,7 @@ EvalFolder::EvalFolder(const std::filesystem::path& folder)
 
 void WriteEvaluation(const std::vector<std::filesystem::path>& runs, const std::vector<Table>& tables,
                      EvalFolder& folder) {
-  WriteWholeFile(folder.partial() / "eval.json", EvalJson(runs, tables));
+  AtomicWrite(folder.partial() / "eval.json", EvalJson(runs, tables));
   WriteTableFiles(folder.partial(), [&](TableFormat format) { return FormatTables(tables, format); });
   folder.Publish();
 }

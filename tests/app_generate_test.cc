@@ -51,7 +51,7 @@ void ExpectDetectionsAroundTheirObjects(const Sequence& sequence, const GroundTr
   const double timestamp = sequence.images[frame].timestamp;
   const std::vector<Detection>& detections = sequence.detections[frame];
   for (size_t i = 0; i < detections.size(); ++i) {
-    const TrueObject* object = truth.ObjectOf(timestamp, static_cast<int>(i));
+    const TrueObject* object = truth.FindObject(timestamp, static_cast<int>(i));
     ASSERT_NE(object, nullptr);  // the scene has no false alarms
     EXPECT_EQ(object->category, detections[i].category);
     const Eigen::Isometry3d T_camera_object = *truth.TrueCameraObject(timestamp, static_cast<int>(i));

@@ -45,7 +45,7 @@ std::vector<std::string> ExamplesIn(const std::string& help) {
   return examples;
 }
 
-std::vector<std::string> WordsOf(const std::string& line) {
+std::vector<std::string> SplitWords(const std::string& line) {
   std::istringstream stream(line);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
@@ -59,7 +59,7 @@ TEST(AppHelp, EachCommandHasExamplesThatParse) {
     const std::vector<std::string> examples = ExamplesIn(command->help());
     EXPECT_FALSE(examples.empty()) << command->get_name();
     for (const std::string& example : examples) {
-      std::vector<std::string> words = WordsOf(example);
+      std::vector<std::string> words = SplitWords(example);
       if (words.front() == "source") continue;  // a shell's own
       ASSERT_GE(words.size(), 2u);
       EXPECT_EQ(words[0], "armature");

@@ -61,7 +61,7 @@ std::map<std::string, Errors> ErrorsOf(const std::filesystem::path& run,
     if (row.Text("status") != "ok") continue;
     const double timestamp = row.Number("timestamp");
     const Eigen::Isometry3d T_true = truth.TrueCameraObject(timestamp, row.Integer("index")).value();
-    const std::string category = truth.ObjectOf(timestamp, row.Integer("index"))->category;
+    const std::string category = truth.FindObject(timestamp, row.Integer("index"))->category;
     const Eigen::Isometry3d T = PoseOf(row);
     const int order = category == "table" ? 2 : 1;
     Errors& e = errors[category];

@@ -232,7 +232,7 @@ TEST(LineSeeds, FindTheTableThatTheImageCuts) {
 
 TEST(Hypotheses, HorizontalSegmentsVoteForTheTrueAzimuth) {
   const SyntheticView synthetic("table", 0.5, {0.1, 0.3, 2.6}, Eigen::Vector2d::Zero());
-  const auto peaks = AzimuthsOfHorizontalSegments(synthetic.view, 0.7, 0.5, 1);
+  const auto peaks = FindHorizontalAzimuths(synthetic.view, 0.7, 0.5, 1);
   ASSERT_EQ(peaks.size(), 1u);
   // Azimuths are about the ray to the box's centre here, so a degree or two of difference remains.
   EXPECT_LT(std::abs(WrapAngle(peaks[0] - 0.5)), 4 * kDegree);

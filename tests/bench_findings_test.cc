@@ -30,7 +30,7 @@ TEST(Findings, AreComparedWithTheTruthOfTrueObjectsOnly) {
   AddFindings(ChairAhead(), half, {EstimateAt(2.2, 20), EstimateAt(9, 90)}, findings);
   AddFindings(ChairAhead(), {}, {ObjectEstimate{}, EstimateAt(9, 90)}, findings);  // without pose
   EXPECT_EQ(findings.detections, 2);
-  const auto accuracy = AccuracyOf(findings);
+  const auto accuracy = ComputeAccuracy(findings);
   ASSERT_TRUE(accuracy);
   EXPECT_NEAR(accuracy->azimuth_deg, 20, 1e-6);
   EXPECT_NEAR(accuracy->translation_percent, 10, 1e-6);
@@ -47,7 +47,7 @@ TEST(Findings, AsAccurateMeansInEachNumber) {
   EXPECT_FALSE(IsAsAccurate({1, 4.5, 1, 1}, reference, 0.1));
   EXPECT_FALSE(IsAsAccurate({1, 1, 0.8, 1}, reference, 0.1));
   EXPECT_FALSE(IsAsAccurate({1, 1, 1, 0.85}, reference, 0.1));
-  EXPECT_FALSE(AccuracyOf(Findings{}));
+  EXPECT_FALSE(ComputeAccuracy(Findings{}));
 }
 
 }  // namespace

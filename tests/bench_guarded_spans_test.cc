@@ -27,7 +27,7 @@ BenchReport TwoSections() {
 }
 
 TEST(GuardedSpans, OneCalibrationIsOfAllSections) {
-  const BenchRecord record = RecordOf({}, TwoSections());
+  const BenchRecord record = MakeRecord({}, TwoSections());
   EXPECT_EQ(record.calibration.n, 3u);
   EXPECT_EQ(record.calibration.mean, 3);
   ASSERT_EQ(record.spans.size(), 4u);  // nothing was done in mapping
@@ -48,7 +48,7 @@ TEST(GuardedSpans, ANetworkThatOnlyTakesTimeIsNoWork) {
 }
 
 TEST(GuardedSpans, OnlyTablesThatAreMeasuredAreCompared) {
-  BenchRecord record = RecordOf({}, TwoSections());
+  BenchRecord record = MakeRecord({}, TwoSections());
   record.spans.push_back(SpanNamed("comparison", "b", "lines:default", "total"));
   const BenchRecord part = GuardedPart(record, {{"comparison", "a"}, {"objects", "b"}});
   ASSERT_EQ(part.spans.size(), 2u);
@@ -58,7 +58,7 @@ TEST(GuardedSpans, OnlyTablesThatAreMeasuredAreCompared) {
 }
 
 TEST(GuardedSpans, NothingInCommonIsAnError) {
-  const BenchRecord record = RecordOf({}, TwoSections());
+  const BenchRecord record = MakeRecord({}, TwoSections());
   EXPECT_NO_THROW(CheckSharesTables(record, {{"micro", ""}}));
   testing::ExpectInputError(
       [&] {

@@ -28,13 +28,13 @@ CategoryModel FrameWithGap(double gap) {
 }
 
 TEST(KeypointResection, EndsThatMeetAreOneKeypoint) {
-  EXPECT_EQ(KeypointsOf(FrameWithGap(0)).size(), 4u);
-  EXPECT_EQ(KeypointsOf(FrameWithGap(0.019)).size(), 4u);
-  EXPECT_EQ(KeypointsOf(FrameWithGap(0.021)).size(), 5u);
+  EXPECT_EQ(MakeKeypoints(FrameWithGap(0)).size(), 4u);
+  EXPECT_EQ(MakeKeypoints(FrameWithGap(0.019)).size(), 4u);
+  EXPECT_EQ(MakeKeypoints(FrameWithGap(0.021)).size(), 5u);
 }
 
 TEST(KeypointResection, AKeypointIsTheMeanOfItsEnds) {
-  const ShapePoint corner = KeypointsOf(FrameWithGap(0.01)).front();
+  const ShapePoint corner = MakeKeypoints(FrameWithGap(0.01)).front();
   EXPECT_LT((corner.X0 - Eigen::Vector3d(-0.495, 0, -0.5)).norm(), 1e-12);
   EXPECT_NEAR(corner.G(0, 0), 0.05, 1e-12);  // half of its ends move by 0.1
 }
@@ -73,7 +73,7 @@ ResectionOptions NothingButWhatIsSeen() {
 
 TEST(KeypointResection, ExactKeypointsGivePoseAndShape) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.8, -0.6, 0.4));
-  const std::vector<ShapePoint> keypoints = KeypointsOf(synthetic.model);
+  const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   const ResectionResult result = ResectKeypoints(synthetic.view, keypoints, SeeAll(synthetic, keypoints),
                                                  PoseFromBox(synthetic.view), NothingButWhatIsSeen());
   EXPECT_TRUE(result.finite);
@@ -89,7 +89,7 @@ class KeypointResectionOf : public ::testing::TestWithParam<std::string> {};
 TEST_P(KeypointResectionOf, ExactKeypointsOfTheMeanShapeGiveThePose) {
   SyntheticView synthetic(GetParam(), 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d::Zero());
   synthetic.view.detection.azimuth = 0.5 - 20 * kDegree;
-  const std::vector<ShapePoint> keypoints = KeypointsOf(synthetic.model);
+  const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   const ResectionResult result = ResectKeypoints(synthetic.view, keypoints, SeeAll(synthetic, keypoints),
                                                  PoseFromBox(synthetic.view), ResectionOptions{});
   ExpectNear(result.estimate, synthetic.truth, 0.1, 0.01);
@@ -98,7 +98,7 @@ TEST_P(KeypointResectionOf, ExactKeypointsOfTheMeanShapeGiveThePose) {
 TEST_P(KeypointResectionOf, FindsTheObjectFromAWrongAzimuthWithTheDefaultOptions) {
   SyntheticView synthetic(GetParam(), 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.8, -0.6, 0.4));
   synthetic.view.detection.azimuth = 0.5 + 20 * kDegree;
-  const std::vector<ShapePoint> keypoints = KeypointsOf(synthetic.model);
+  const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   const PoseAndShape start = PoseFromBox(synthetic.view);
   EXPECT_GT(ReprojectionError(synthetic, keypoints, start), 10);
   const ResectionResult result =
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Categories, KeypointResectionOf, ::testing::Values("cha
 
 TEST(KeypointResection, AWildKeypointIsLeftOut) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d::Zero());
-  const std::vector<ShapePoint> keypoints = KeypointsOf(synthetic.model);
+  const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   std::vector<SeenKeypoint> seen = SeeAll(synthetic, keypoints);
   seen[3].pixel += Eigen::Vector2d(60, -40);
   const ResectionResult result =

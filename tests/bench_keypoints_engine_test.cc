@@ -94,7 +94,7 @@ TEST_F(KeypointsEngine, TheHourglassIsRunAndNothingIsAdded) {
 TEST_F(KeypointsEngine, TakesPartInARace) {
   const auto engine = Make(KeypointsMode::kPublished);
   const std::vector<BenchRow> rows =
-      Race({ContenderOf("keypoints:published", *engine, sequence_)}, 3, {.warm_up = 1, .repetitions = 2});
+      Race({MakeContender("keypoints:published", *engine, sequence_)}, 3, {.warm_up = 1, .repetitions = 2});
   ASSERT_EQ(rows.size(), 4u);
   for (const BenchRow& row : rows) {
     EXPECT_DOUBLE_EQ(row.outcome.added_ms, row.input == 1 ? 570 : 0);
@@ -104,7 +104,7 @@ TEST_F(KeypointsEngine, TakesPartInARace) {
 
 TEST(DrawnKeypoints, AreTheMeanShapesButForNoiseAndATurn) {
   const SyntheticView synthetic("table", 0.5, {0.1, 0.2, 3}, Eigen::Vector3d::Zero());
-  const std::vector<ShapePoint> keypoints = KeypointsOf(synthetic.model);
+  const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   const Eigen::Matrix3Xd points = KeypointsAt(keypoints, PoseFromBox(synthetic.view));
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -24,28 +24,28 @@ void Touch(size_t megabytes) {
 }
 
 TEST(PeakMemory, IsThatOfTheWork) {
-  const PeakMemory none = PeakMemoryOf([] {});
-  const PeakMemory some = PeakMemoryOf([] { Touch(100); });
+  const PeakMemory none = MeasurePeakMemory([] {});
+  const PeakMemory some = MeasurePeakMemory([] { Touch(100); });
   EXPECT_GT(none.before_mb, 1);
   EXPECT_NEAR(some.peak_mb - none.peak_mb, 100, 5);
   EXPECT_NEAR(some.added_mb() - none.added_mb(), 100, 5);
 }
 
 TEST(PeakMemory, DoesNotCountWhatTheParentHasFreed) {
-  const PeakMemory before = PeakMemoryOf([] {});
+  const PeakMemory before = MeasurePeakMemory([] {});
   Touch(150);
-  EXPECT_NEAR(PeakMemoryOf([] {}).peak_mb, before.peak_mb, 20);
+  EXPECT_NEAR(MeasurePeakMemory([] {}).peak_mb, before.peak_mb, 20);
 }
 
 TEST(PeakMemory, LeavesTheParentAsItIs) {
   int value = 1;
-  PeakMemoryOf([&value] { value = 2; });
+  MeasurePeakMemory([&value] { value = 2; });
   EXPECT_EQ(value, 1);
 }
 
 TEST(PeakMemory, ThrowsTheOutputAway) {
   ::testing::internal::CaptureStdout();
-  PeakMemoryOf([] {
+  MeasurePeakMemory([] {
     std::puts("not to be seen");
     std::fflush(stdout);
   });
@@ -53,10 +53,10 @@ TEST(PeakMemory, ThrowsTheOutputAway) {
 }
 
 TEST(PeakMemory, PassesOnWhatIsWrong) {
-  testing::ExpectInputError([] { PeakMemoryOf([] { throw InputError("a.png: no such image"); }); },
+  testing::ExpectInputError([] { MeasurePeakMemory([] { throw InputError("a.png: no such image"); }); },
                             {"a.png: no such image"});
   try {
-    PeakMemoryOf([] { throw std::runtime_error("it broke"); });
+    MeasurePeakMemory([] { throw std::runtime_error("it broke"); });
     ADD_FAILURE() << "nothing was thrown";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "measuring memory: it broke");
@@ -65,7 +65,7 @@ TEST(PeakMemory, PassesOnWhatIsWrong) {
 
 TEST(PeakMemory, ReportsAChildThatIsEnded) {
   try {
-    PeakMemoryOf([] { kill(getpid(), SIGKILL); });
+    MeasurePeakMemory([] { kill(getpid(), SIGKILL); });
     ADD_FAILURE() << "nothing was thrown";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("Killed"), std::string::npos);

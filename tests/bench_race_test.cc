@@ -24,7 +24,7 @@ std::vector<size_t> InputsOf(const std::vector<BenchRow>& rows, const std::strin
 TEST(Race, CountsAllFramesButTheWarmUpInEachRepetition) {
   const BenchSequence sequence = BoxSequence({1, 2, 3, 4});
   CountingEngine engine(false);
-  const auto rows = Race({ContenderOf("a", engine, sequence)}, 4, {.warm_up = 1, .repetitions = 2});
+  const auto rows = Race({MakeContender("a", engine, sequence)}, 4, {.warm_up = 1, .repetitions = 2});
   EXPECT_EQ(InputsOf(rows, "a"), (std::vector<size_t>{1, 2, 3, 1, 2, 3}));
   EXPECT_EQ(engine.seen.size(), 8u);
   EXPECT_EQ(engine.starts, 2);
@@ -36,7 +36,8 @@ TEST(Race, CountsAllFramesButTheWarmUpInEachRepetition) {
 TEST(Race, TheTurnBeginsWithAnotherContenderOnEachFrame) {
   const BenchSequence sequence = BoxSequence({1, 1, 1});
   CountingEngine a(false), b(false);
-  const auto rows = Race({ContenderOf("a", a, sequence), ContenderOf("b", b, sequence)}, 3, {.warm_up = 0});
+  const auto rows =
+      Race({MakeContender("a", a, sequence), MakeContender("b", b, sequence)}, 3, {.warm_up = 0});
   std::string order;
   for (const BenchRow& row : rows) order += row.contender;
   EXPECT_EQ(order, "abbaab");
@@ -45,7 +46,7 @@ TEST(Race, TheTurnBeginsWithAnotherContenderOnEachFrame) {
 TEST(Race, AContenderLooksAtRowsThatCountAndMayEmptyThem) {
   const BenchSequence sequence = BoxSequence({1, 2, 3});
   CountingEngine engine(false);
-  Contender contender = ContenderOf("a", engine, sequence);
+  Contender contender = MakeContender("a", engine, sequence);
   size_t estimates = 0;
   contender.after = [&](BenchRow& row) {
     estimates += row.outcome.estimates.size();
@@ -71,7 +72,7 @@ TEST(Race, TheCalibrationTakesItsTurnsApart) {
   const BenchSequence sequence = BoxSequence({1, 2, 3});
   CountingEngine engine(false);
   BenchSection section{.name = "comparison", .sequence = "boxes"};
-  RaceCalibrated({ContenderOf("a", engine, sequence)}, 3, {.warm_up = 1, .repetitions = 2}, section);
+  RaceCalibrated({MakeContender("a", engine, sequence)}, 3, {.warm_up = 1, .repetitions = 2}, section);
   EXPECT_EQ(InputsOf(section.rows, "a"), (std::vector<size_t>{1, 2, 1, 2}));
   EXPECT_EQ(section.rows.size(), 4u);
   EXPECT_EQ(section.calibration_ms.size(), 4u);
@@ -82,10 +83,10 @@ TEST(Race, TheCalibrationTakesItsTurnsApart) {
 TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {
   const BenchSequence sequence = BoxSequence({3, 3, 3, 3, 1, 3, 2, 3, 3, 3});  // used after 3: 3, 5, 7, 8, 9
   CountingEngine sparse(true), full(false);
-  std::vector<Contender> contenders{ContenderOf("sparse", sparse, sequence),
-                                    ContenderOf("full", full, sequence)};
+  std::vector<Contender> contenders{MakeContender("sparse", sparse, sequence),
+                                    MakeContender("full", full, sequence)};
   const auto is_used = [&](size_t input) { return sequence.frames[input].input.detections.size() == 3; };
-  contenders[0].wants = OneOf(SparseInputs(is_used, 10, 3, 2));
+  contenders[0].wants = PickOne(SparseInputs(is_used, 10, 3, 2));
   const auto rows = Race(contenders, 10, {.warm_up = 3});
   EXPECT_EQ(InputsOf(rows, "sparse"), (std::vector<size_t>{3, 7, 9}));  // every second one
   EXPECT_EQ(sparse.seen.size(), 3u + kSparseWarmUp);
@@ -95,7 +96,7 @@ TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {
 TEST(Race, NoMoreInputsThanWarmUpAreAnError) {
   const BenchSequence sequence = BoxSequence({1, 1, 1});
   CountingEngine engine(false);
-  testing::ExpectInputError([&] { Race({ContenderOf("a", engine, sequence)}, 3, {.warm_up = 3}); },
+  testing::ExpectInputError([&] { Race({MakeContender("a", engine, sequence)}, 3, {.warm_up = 3}); },
                             {"3 frames", "--warm-up"});
 }
 

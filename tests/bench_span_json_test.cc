@@ -13,9 +13,9 @@ namespace {
 BenchRecord JsonRecord() {
   BenchRecord record;
   record.cpu = "Processor \"X\"";
-  record.calibration = StatisticsOf({5.1, 5.2, 5.4}).value();
-  record.spans = {{"comparison", "seq1", "lines:default", "total", StatisticsOf({1.0 / 3, 0.7}).value()},
-                  {"micro", "", "neighbours:10000", "call", StatisticsOf({0.009}).value()}};
+  record.calibration = ComputeStatistics({5.1, 5.2, 5.4}).value();
+  record.spans = {{"comparison", "seq1", "lines:default", "total", ComputeStatistics({1.0 / 3, 0.7}).value()},
+                  {"micro", "", "neighbours:10000", "call", ComputeStatistics({0.009}).value()}};
   return record;
 }
 

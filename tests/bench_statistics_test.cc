@@ -8,10 +8,10 @@
 namespace armature {
 namespace {
 
-TEST(SpanStatistics, OfNothingIsNothing) { EXPECT_FALSE(StatisticsOf({})); }
+TEST(SpanStatistics, OfNothingIsNothing) { EXPECT_FALSE(ComputeStatistics({})); }
 
 TEST(SpanStatistics, OfOneValueIsThatValueWithoutDeviation) {
-  const SpanStatistics s = StatisticsOf({4}).value();
+  const SpanStatistics s = ComputeStatistics({4}).value();
   EXPECT_EQ(s.n, 1U);
   EXPECT_EQ(s.mean, 4);
   EXPECT_EQ(s.deviation, 0);
@@ -23,7 +23,7 @@ TEST(SpanStatistics, OfOneValueIsThatValueWithoutDeviation) {
 
 TEST(SpanStatistics, AreThoseOfNumpy) {
   // numpy: mean 5.5, std(ddof=1) 3.0277, percentiles 10, 50, 90, 99 of 1..10: 1.9, 5.5, 9.1, 9.91.
-  const SpanStatistics s = StatisticsOf({10, 1, 9, 2, 8, 3, 7, 4, 6, 5}).value();
+  const SpanStatistics s = ComputeStatistics({10, 1, 9, 2, 8, 3, 7, 4, 6, 5}).value();
   EXPECT_EQ(s.n, 10U);
   EXPECT_DOUBLE_EQ(s.mean, 5.5);
   EXPECT_NEAR(s.deviation, 3.0276503540974917, 1e-12);
@@ -37,16 +37,16 @@ TEST(SpanStatistics, AreThoseOfNumpy) {
 TEST(SpanStatistics, SayWhereTheMedianMayLie) {
   std::vector<double> values;
   for (int i = 1; i <= 100; ++i) values.push_back(i);
-  const SpanStatistics many = StatisticsOf(values).value();
+  const SpanStatistics many = ComputeStatistics(values).value();
   EXPECT_DOUBLE_EQ(many.median_low, 35.65);  // numpy: the quantiles 0.5 -+ 1.5 / sqrt(100)
   EXPECT_DOUBLE_EQ(many.median_high, 65.35);
-  const SpanStatistics few = StatisticsOf({3, 1, 7, 2, 5}).value();
+  const SpanStatistics few = ComputeStatistics({3, 1, 7, 2, 5}).value();
   EXPECT_EQ(few.median_low, 1);
   EXPECT_EQ(few.median_high, 7);
 }
 
 TEST(SpanStatistics, SpreadIsHalfOfP10ToP90OverTheMedian) {
-  EXPECT_DOUBLE_EQ(StatisticsOf({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}).value().spread(), 3.6 / 5.5);
+  EXPECT_DOUBLE_EQ(ComputeStatistics({1, 2, 3, 4, 5, 6, 7, 8, 9, 10}).value().spread(), 3.6 / 5.5);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@ namespace armature {
 namespace {
 
 using testing::CellText;
-using testing::RowOf;
+using testing::MakeRow;
 
 // The other takes 3, 5 and 7 times as long; the fourth frame only we have.
 std::vector<BenchRow> KnownRows() {
   std::vector<BenchRow> rows;
-  for (size_t i = 0; i < 4; ++i) rows.push_back(RowOf("ours", i, 4, 3, 2));
-  rows.push_back(RowOf("other", 0, 29, 0, 0));
-  rows.push_back(RowOf("other", 1, 49, 0, 0));
-  rows.push_back(RowOf("other", 2, 69, 0, 0));
+  for (size_t i = 0; i < 4; ++i) rows.push_back(MakeRow("ours", i, 4, 3, 2));
+  rows.push_back(MakeRow("other", 0, 29, 0, 0));
+  rows.push_back(MakeRow("other", 1, 49, 0, 0));
+  rows.push_back(MakeRow("other", 2, 69, 0, 0));
   for (BenchRow& row : rows) {
     if (row.contender == "other") row.outcome.stages_ms = {row.outcome.stages_ms[0], {}, {}, {}};
   }
@@ -58,7 +58,7 @@ TEST(BenchTables, RatiosArePairedByFrame) {
 }
 
 TEST(BenchTables, SpansAreOfStagesThatRan) {
-  const auto spans = SpansOf("comparison", "s", KnownRows(), {"ours", "other"});
+  const auto spans = CollectSpans("comparison", "s", KnownRows(), {"ours", "other"});
   ASSERT_EQ(spans.size(), 6u);  // three stages and the total of ours, one and the total of the other
   EXPECT_EQ(spans[4].Key(), "comparison/s/other/detection");
   EXPECT_EQ(spans[4].milliseconds.median, 49);
@@ -68,7 +68,7 @@ TEST(BenchTables, SpansAreOfStagesThatRan) {
   EXPECT_EQ(CellText(table, 5, "max"), "70.000");
 }
 
-BenchSeries SeriesOf(const std::string& name, double constant, double slope) {
+BenchSeries MakeSeries(const std::string& name, double constant, double slope) {
   BenchSeries series{.contender = name, .x_label = "", .y_label = "", .fit = LineFit{constant, slope}};
   for (const double x : {1.0, 3.0, 20.0}) {
     series.points.push_back({x, {}});
@@ -78,7 +78,8 @@ BenchSeries SeriesOf(const std::string& name, double constant, double slope) {
 }
 
 TEST(BenchTables, ObjectsHaveAConstantASlopeAndACrossover) {
-  const Table table = ObjectFitTable({SeriesOf("ours", 5, 1), SeriesOf("net", 0, 3), SeriesOf("slow", 6, 3)});
+  const Table table =
+      ObjectFitTable({MakeSeries("ours", 5, 1), MakeSeries("net", 0, 3), MakeSeries("slow", 6, 3)});
   EXPECT_EQ(CellText(table, 0, "constant [ms]"), "5.000");
   EXPECT_EQ(CellText(table, 0, "an object [ms]"), "1.000");
   EXPECT_EQ(CellText(table, 0, "20 objects over 3"), "3.12");  // 25 / 8
@@ -118,7 +119,8 @@ TEST(BenchDetectors, TheFastestIsOneThatIsAsAccurateAsLsd) {
   }
   ASSERT_EQ(choices.size(), 4u);  // edgedrawing, edlines, fld, lsd
   std::vector<BenchRow> rows;
-  for (size_t i = 0; i < 4; ++i) rows.push_back(RowOf(choices[i].name, 0, 1 + static_cast<double>(i), 3, 1));
+  for (size_t i = 0; i < 4; ++i)
+    rows.push_back(MakeRow(choices[i].name, 0, 1 + static_cast<double>(i), 3, 1));
   const std::vector<Findings> findings{FindingsOf(2.4, 3, 10),  // too far off in azimuth
                                        FindingsOf(1, 3.2, 9),   // within 10 %
                                        FindingsOf(1, 1, 10),    // better, but slower

@@ -20,7 +20,7 @@ namespace {
 using testing::ReadFile;
 using testing::TempFolder;
 
-int CountOf(const std::string& ply, const std::string& element) {
+int CountFrames(const std::string& ply, const std::string& element) {
   const size_t start = ply.find("element " + element + " ");
   return start == std::string::npos ? -1 : std::stoi(ply.substr(start + element.size() + 9));
 }
@@ -29,8 +29,8 @@ TEST(Ply, HoldsABoxAsEightVerticesAndTwelveColouredTriangles) {
   Material red;
   red.colour = {1, 0.2, 0};
   const std::string ply = PlyText(Mesh{{Block(Eigen::Vector3d(-1, -2, -3), Eigen::Vector3d(1, 2, 3), red)}});
-  EXPECT_EQ(CountOf(ply, "vertex"), 8);
-  EXPECT_EQ(CountOf(ply, "face"), 12);
+  EXPECT_EQ(CountFrames(ply, "vertex"), 8);
+  EXPECT_EQ(CountFrames(ply, "face"), 12);
   const size_t body = ply.find("end_header\n") + 11;
   ASSERT_EQ(ply.size() - body, 8u * 12 + 12u * 16);
   float first[3];
@@ -44,7 +44,7 @@ TEST(Ply, HoldsABoxAsEightVerticesAndTwelveColouredTriangles) {
 TEST(Ply, ATriangleIsOneFace) {
   Part part;
   part.quads.push_back({{Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 1, 0}}});
-  EXPECT_EQ(CountOf(PlyText(Mesh{{part}}), "face"), 1);
+  EXPECT_EQ(CountFrames(PlyText(Mesh{{part}}), "face"), 1);
 }
 
 TEST(CollectionFiles, TheWholeCollectionIsSmall) {

@@ -12,16 +12,16 @@
 namespace armature {
 namespace {
 
-TrainingSpec SpecOf(const std::string& category) {
+TrainingSpec FindSpec(const std::string& category) {
   return LoadTrainingSpec(testing::CategoryFolder() / "specs" / (category + ".yaml"));
 }
 
 TEST(SetComparison, ASetComparedWithItselfHasMeanZeroAndDeviationOne) {
   for (const std::string category : {"chair", "table", "laptop"}) {
-    const TrainingSpec spec = SpecOf(category);
+    const TrainingSpec spec = FindSpec(category);
     const TrainingModels family = FamilyTrainingModels(spec, {category, 200, 1});
     const CategoryModel model = LearnCategory(spec, family.wireframes, "");
-    const CoefficientStatistics own = StatisticsOf(model, spec, family.wireframes).coefficients;
+    const CoefficientStatistics own = ComputeStatistics(model, spec, family.wireframes).coefficients;
     EXPECT_LT(own.mean.cwiseAbs().maxCoeff(), 1e-6) << category;
     EXPECT_LT((own.deviation.array() - 1).abs().maxCoeff(), 1e-6) << category;
   }
@@ -41,7 +41,7 @@ std::vector<Wireframe> Frames(double length, double spread) {
 TEST(SetComparison, AShiftedAndWiderSetIsSeenInTheModelsDeviations) {
   const TrainingSpec spec = testing::FrameSpec();
   const CategoryModel model = LearnCategory(spec, Frames(1, 0.1), "");
-  const SetStatistics other = StatisticsOf(model, spec, Frames(1.2, 0.3));
+  const SetStatistics other = ComputeStatistics(model, spec, Frames(1.2, 0.3));
   ASSERT_EQ(model.modes(), 1);
   EXPECT_NEAR(other.coefficients.mean[0], 2, 1e-9);
   EXPECT_NEAR(other.coefficients.deviation[0], 3, 1e-9);
@@ -54,13 +54,13 @@ TEST(SetComparison, WhatTheModelCannotShowIsAnError) {
   const CategoryModel model = LearnCategory(spec, Frames(1, 0.1), "");
   std::vector<Wireframe> others = Frames(1, 0.1);
   for (Wireframe& other : others) other.midpoints(1, 0) += 0.06;  // one edge of three
-  EXPECT_NEAR(StatisticsOf(model, spec, others).error.midpoint, 0.02, 1e-9);
+  EXPECT_NEAR(ComputeStatistics(model, spec, others).error.midpoint, 0.02, 1e-9);
 }
 
 TEST(SetComparison, OneModelIsNoSet) {
   const TrainingSpec spec = testing::FrameSpec();
   const CategoryModel model = LearnCategory(spec, Frames(1, 0.1), "");
-  testing::ExpectInputError([&] { StatisticsOf(model, spec, {testing::FrameWireframe()}); },
+  testing::ExpectInputError([&] { ComputeStatistics(model, spec, {testing::FrameWireframe()}); },
                             {"frame", "at least 2"});
 }
 
@@ -77,11 +77,11 @@ class FamilyAgreement : public ::testing::TestWithParam<Agreement> {};
 TEST_P(FamilyAgreement, WithPublishedModels) {
   const Agreement& expected = GetParam();
   ARMATURE_SHARED_DATA_OR_SKIP(file, "cad/" + expected.file);
-  const TrainingSpec spec = SpecOf(expected.category);
+  const TrainingSpec spec = FindSpec(expected.category);
   const TrainingModels published = AnnotatedTrainingModels(spec, {file, expected.format});
   const CategoryModel model = LearnCategory(spec, published.wireframes, "");
   const TrainingModels family = FamilyTrainingModels(spec, {expected.category, 2000, 1, false});
-  const SetStatistics ours = StatisticsOf(model, spec, family.wireframes);
+  const SetStatistics ours = ComputeStatistics(model, spec, family.wireframes);
   for (int i = 0; i < expected.modes; ++i) {
     EXPECT_LT(std::abs(ours.coefficients.mean[i]), expected.mean) << "mode " << i + 1;
     EXPECT_GT(ours.coefficients.deviation[i], expected.narrower) << "mode " << i + 1;

@@ -10,11 +10,11 @@ namespace {
 
 class GeneratedCad : public ::testing::Test {
  protected:
-  GeneratedCad() { testing::WriteSmallCad(folder_, SpecOf(specs_, "table")); }
+  GeneratedCad() { testing::WriteSmallCad(folder_, FindSpec(specs_, "table")); }
   std::optional<Wireframe> EdgesOfTable(const std::string& id, const Eigen::Vector3d& size) const {
     TrueObject object{"table0", "table", "armature:" + id};
     object.size = size;
-    return CadLibrary(folder_.path(), specs_).EdgesOf(object);
+    return CadLibrary(folder_.path(), specs_).FindEdges(object);
   }
 
   testing::TempFolder folder_;

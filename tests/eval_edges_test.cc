@@ -84,8 +84,8 @@ TEST(EvalEdges, SharedModelsFillTheirBoxes) {
   ARMATURE_SHARED_DATA_OR_SKIP(folder, "sequences/office_dev");
   ARMATURE_SHARED_DATA_OR_SKIP(cad_folder, "cad");
   const std::vector<CategoryModel> models = LoadCategories(testing::CategoryFolder());
-  const CadLibrary cad(cad_folder, SpecsOf(models));
-  const SequenceTruth world = LoadSequenceTruth(folder, SpecsOf(models));
+  const CadLibrary cad(cad_folder, CollectSpecs(models));
+  const SequenceTruth world = LoadSequenceTruth(folder, CollectSpecs(models));
   const TrueScene scene(world, models, cad);
   const Sequence sequence = LoadSequence(folder, {"chair", "laptop", "table"});
   double samples = 0, inside = 0;
@@ -93,8 +93,8 @@ TEST(EvalEdges, SharedModelsFillTheirBoxes) {
   for (size_t i = 0; i < sequence.images.size(); ++i) {
     for (size_t k = 0; k < sequence.detections[i].size(); ++k) {
       const double timestamp = sequence.images[i].timestamp;
-      const TrueObject* object = world.truth.ObjectOf(timestamp, static_cast<int>(k));
-      const auto camera = IndexOfStamp(world.truth.T_world_camera, timestamp);
+      const TrueObject* object = world.truth.FindObject(timestamp, static_cast<int>(k));
+      const auto camera = FindStamp(world.truth.T_world_camera, timestamp);
       if (!object || !camera) continue;
       const auto index = static_cast<size_t>(object - world.truth.objects.data());
       const auto edges = scene.EdgesSeen(index, world.truth.T_world_camera[*camera]);

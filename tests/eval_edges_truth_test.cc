@@ -21,7 +21,7 @@ TEST(EvalTrueEdges, AreReadInTheOrderOfTheCategory) {
   const SequenceTruth truth = world.Truth();
   ASSERT_TRUE(truth.edges);
   const std::vector<VisibleEdge> edges = truth.edges->Seen(0, 0.0004, 200);
-  const CategorySpec spec = ModelOf(world.models, "chair").spec;
+  const CategorySpec spec = LookUpModel(world.models, "chair").spec;
   ASSERT_EQ(edges.size(), spec.edge_names.size());
   for (size_t i = 0; i < edges.size(); ++i) {
     const std::string& name = spec.edge_names[i];
@@ -214,7 +214,7 @@ TEST(EvalTrueEdges, ArePreferredToCad) {
   world.folder.Write("sequence/edges_gt.csv", rows);
   const RunEvaluation by_cad = world.Evaluate(run);
   const RunEvaluation by_file =
-      EvaluateRun(LoadRun(run), LoadSequenceTruth(world.folder / "sequence", SpecsOf(world.models)),
+      EvaluateRun(LoadRun(run), LoadSequenceTruth(world.folder / "sequence", CollectSpecs(world.models)),
                   world.models, world.cad);
   ASSERT_EQ(by_file.detections.size(), by_cad.detections.size());
   for (size_t i = 0; i < by_cad.detections.size(); ++i) {

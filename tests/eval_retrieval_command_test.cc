@@ -36,7 +36,7 @@ void WriteFewModels(const std::filesystem::path& folder, const std::set<std::str
 void WriteLibraryOf(const std::filesystem::path& cad, const std::set<std::string>& without,
                     const std::filesystem::path& file) {
   const std::vector<CategoryModel> models = LoadCategories(testing::CategoryFolder());
-  std::vector<CadModel> known = ReadCadFolder(cad, SpecsOf(models));
+  std::vector<CadModel> known = ReadCadFolder(cad, CollectSpecs(models));
   std::erase_if(known, [&](const CadModel& model) { return without.contains(model.instance); });
   WriteLibrary(BuildLibrary(models, known, cad), file);
 }

@@ -57,9 +57,9 @@ class SeenFrames : public ::testing::Test {
 
 TEST_F(SeenFrames, AreAskedForWhereverTheyStand) {
   const ObjectPairs pairs = PairsBySight(map_, run_, truth_);
-  EXPECT_EQ(CamerasOf(map_, pairs, 24), (std::vector<size_t>{0, 1}));
-  EXPECT_EQ(CamerasOf(map_, {{0, 0}}, 24), (std::vector<size_t>{1}));
-  const std::vector<RetrievalQuery> queries = QueriesOfMap(map_, pairs, truth_, views_, 24);
+  EXPECT_EQ(PickCameras(map_, pairs, 24), (std::vector<size_t>{0, 1}));
+  EXPECT_EQ(PickCameras(map_, {{0, 0}}, 24), (std::vector<size_t>{1}));
+  const std::vector<RetrievalQuery> queries = MakeMapQueries(map_, pairs, truth_, views_, 24);
   ASSERT_EQ(queries.size(), 2u);
   EXPECT_EQ(queries[1].object, "frame1");
   EXPECT_EQ(queries[1].category, "frame");
@@ -75,23 +75,23 @@ TEST_F(SeenFrames, AreAskedForWhereverTheyStand) {
 TEST_F(SeenFrames, OfUnknownModelsAreNoQueries) {
   truth_.objects[0].instance = "";
   const std::vector<RetrievalQuery> queries =
-      QueriesOfMap(map_, PairsBySight(map_, run_, truth_), truth_, views_, 24);
+      MakeMapQueries(map_, PairsBySight(map_, run_, truth_), truth_, views_, 24);
   ASSERT_EQ(queries.size(), 1u);
   EXPECT_EQ(queries[0].object, "frame1");
 }
 
 TEST(QueriesOfALibrary, AreEveryNthInstanceWithNoise) {
   const FrameLibrary frames(7);
-  const std::vector<RetrievalQuery> queries = QueriesOfLibrary(frames.frames(), 3, 0.1, 5);
+  const std::vector<RetrievalQuery> queries = MakeLibraryQueries(frames.frames(), 3, 0.1, 5);
   ASSERT_EQ(queries.size(), 3u);
   EXPECT_EQ(queries[1].true_model, "cad:3");
   EXPECT_EQ(queries[1].true_size, Eigen::Vector3d(2, 2, 2));
   EXPECT_FALSE(queries[1].shape.evidence || queries[1].sightings);
   EXPECT_NE(queries[1].shape.coefficients, Eigen::Vector2d(3, 0));
   EXPECT_NEAR((queries[1].shape.coefficients - Eigen::Vector2d(3, 0)).norm(), 0, 0.6);
-  EXPECT_EQ(QueriesOfLibrary(frames.frames(), 3, 0.1, 5)[2].shape.coefficients,
+  EXPECT_EQ(MakeLibraryQueries(frames.frames(), 3, 0.1, 5)[2].shape.coefficients,
             queries[2].shape.coefficients);
-  EXPECT_NE(QueriesOfLibrary(frames.frames(), 3, 0.1, 6)[2].shape.coefficients,
+  EXPECT_NE(MakeLibraryQueries(frames.frames(), 3, 0.1, 6)[2].shape.coefficients,
             queries[2].shape.coefficients);
 }
 

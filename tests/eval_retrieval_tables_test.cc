@@ -107,7 +107,7 @@ TEST(RetrievalVariants, TheDefaultIsOneOfThem) {
   const RetrievalOptions defaults = VariantsForSeen().back().options;
   EXPECT_TRUE(defaults.covariance && defaults.rerank);
   EXPECT_EQ(defaults.features.space, "whitened");
-  EXPECT_THROW(EvaluatedQueries().OutcomesOf("k-NN"), std::logic_error);
+  EXPECT_THROW(EvaluatedQueries().GetOutcomes("k-NN"), std::logic_error);
 }
 
 TEST(RetrievalTables, OfALibrarySayWhatWasAsked) {

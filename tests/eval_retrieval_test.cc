@@ -28,7 +28,7 @@ std::vector<RetrievalOutcome> Evaluated(const FrameLibrary& frames,
 
 TEST(EvalRetrieval, TruthAsEstimateIsPerfect) {
   const FrameLibrary frames(6);
-  const std::vector<RetrievalQuery> queries = QueriesOfLibrary(frames.frames(), 1, 0, 1);
+  const std::vector<RetrievalQuery> queries = MakeLibraryQueries(frames.frames(), 1, 0, 1);
   ASSERT_EQ(queries.size(), 6u);
   const RetrievalSummary summary = Summarise(Evaluated(frames, queries));
   EXPECT_EQ(summary.in_library, 6);
@@ -182,8 +182,8 @@ TEST(RetrievalRanking, ReRankedCandidatesComeFirstAndTheRestFollows) {
   EXPECT_EQ(seen.front(), 2);
   EXPECT_EQ(seen.back(), 3) << "the candidates do not reach it";
   EXPECT_EQ(seen.size(), 4u);
-  EXPECT_EQ(RankOf(3, seen), 4);
-  EXPECT_FALSE(RankOf(-1, seen));
+  EXPECT_EQ(FindRank(3, seen), 4);
+  EXPECT_FALSE(FindRank(-1, seen));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ const NamedValues& ValuesNamed(const std::vector<NamedValues>& all, const std::s
 TEST(RunValues, AreTheErrorsOfObjectsViewsAndCameras) {
   const TrueWorld world;
   const auto errors =
-      ErrorsOfRun(RunWithChairAside(world, "b", 0.3), world.folder / "sequence", world.models, {});
+      ComputeRunErrors(RunWithChairAside(world, "b", 0.3), world.folder / "sequence", world.models, {});
   const auto& centres = ValuesNamed(errors, "object centre error [m]").values;
   EXPECT_NEAR(centres.at({"chair0"}), 0.3, 1e-9);
   EXPECT_NEAR(centres.at({"table0"}), 0, 1e-9);
@@ -49,18 +49,19 @@ TEST(RunValues, AreTheErrorsOfObjectsViewsAndCameras) {
 
 TEST(RunValues, WithoutTruthAreNone) {
   const TrueWorld world;
-  EXPECT_TRUE(ErrorsOfRun(RunWithChairAside(world, "b", 0), world.folder / "gone", world.models, {}).empty());
+  EXPECT_TRUE(
+      ComputeRunErrors(RunWithChairAside(world, "b", 0), world.folder / "gone", world.models, {}).empty());
 }
 
 TEST(RunValues, OfTimesAreOneAFrameAndStage) {
   const TrueWorld world;
   const std::string run = RunWithChairAside(world, "b", 0).string();
   world.folder.Write("b/timings.csv", "timestamp,lines_ms,total_ms\n0.0,1,2\n0.2,3,4\n");
-  const auto times = TimesOfRun(run);
+  const auto times = ReadRunTimes(run);
   ASSERT_EQ(times.size(), 2u);
   EXPECT_EQ(ValuesNamed(times, "time: total [ms]").values.at({"", 200'000}), 4);
   world.folder.Write("b/timings.csv", "timestamp,lines_ms\n0.0,fast\n");
-  testing::ExpectInputError([&] { TimesOfRun(run); }, {"timings.csv:2", "fast"});
+  testing::ExpectInputError([&] { ReadRunTimes(run); }, {"timings.csv:2", "fast"});
 }
 
 TEST(RunValues, OfLoadingTellABusyMachine) {

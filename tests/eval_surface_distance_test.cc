@@ -15,7 +15,7 @@ TriangleMesh UnitSquareAt(double z) {
   return mesh;
 }
 
-SurfacePoints PointsOf(const TriangleMesh& mesh, int count = 4000, std::uint64_t seed = 1) {
+SurfacePoints MakePoints(const TriangleMesh& mesh, int count = 4000, std::uint64_t seed = 1) {
   return SurfacePoints(SampleSurface(mesh, count, seed));
 }
 
@@ -52,7 +52,7 @@ TEST(SampledSurface, IsTheSameForTheSameSeedOnly) {
 
 TEST(SurfaceDistances, OfParallelSquaresIsTheirDistance) {
   const SurfaceDistance distance =
-      CompareSurfaces(PointsOf(UnitSquareAt(0)), PointsOf(UnitSquareAt(0.3)), 0.02);
+      CompareSurfaces(MakePoints(UnitSquareAt(0)), MakePoints(UnitSquareAt(0.3)), 0.02);
   EXPECT_NEAR(distance.chamfer, 0.3, 1e-3);
   EXPECT_EQ(distance.precision, 0);
   EXPECT_EQ(distance.recall, 0);
@@ -61,18 +61,18 @@ TEST(SurfaceDistances, OfParallelSquaresIsTheirDistance) {
 
 TEST(SurfaceDistances, OfIdenticalSurfacesIsZero) {
   const TriangleMesh ball = BallMesh({1, 2, 3}, 0.5);
-  const SurfaceDistance distance = CompareSurfaces(PointsOf(ball), PointsOf(ball), 0.02);
+  const SurfaceDistance distance = CompareSurfaces(MakePoints(ball), MakePoints(ball), 0.02);
   EXPECT_EQ(distance.chamfer, 0);
   EXPECT_EQ(distance.f_score, 1);
   // Other points of the same surface are about half their spacing apart.
-  const SurfaceDistance sampled = CompareSurfaces(PointsOf(ball, 4000, 1), PointsOf(ball, 4000, 2), 0.05);
+  const SurfaceDistance sampled = CompareSurfaces(MakePoints(ball, 4000, 1), MakePoints(ball, 4000, 2), 0.05);
   EXPECT_LT(sampled.chamfer, 0.5 * std::sqrt(3.14 / 4000) * 1.2);
   EXPECT_EQ(sampled.f_score, 1);
 }
 
 TEST(SurfaceDistances, OfBallsIsTheDifferenceOfTheirRadii) {
-  const SurfaceDistance distance = CompareSurfaces(PointsOf(BallMesh({0, 0, 0}, 1), 20000),
-                                                   PointsOf(BallMesh({0, 0, 0}, 1.2), 20000), 0.3);
+  const SurfaceDistance distance = CompareSurfaces(MakePoints(BallMesh({0, 0, 0}, 1), 20000),
+                                                   MakePoints(BallMesh({0, 0, 0}, 1.2), 20000), 0.3);
   EXPECT_NEAR(distance.chamfer, 0.2, 0.01);
   EXPECT_EQ(distance.f_score, 1);
 }
@@ -80,12 +80,12 @@ TEST(SurfaceDistances, OfBallsIsTheDifferenceOfTheirRadii) {
 TEST(SurfaceDistances, PrecisionIsOfTheRetrievedAndRecallOfTheTrueSurface) {
   TriangleMesh both = UnitSquareAt(0);
   Append(UnitSquareAt(1), ColourBytes::Zero(), both);
-  const SurfaceDistance missing = CompareSurfaces(PointsOf(UnitSquareAt(0)), PointsOf(both), 0.1);
+  const SurfaceDistance missing = CompareSurfaces(MakePoints(UnitSquareAt(0)), MakePoints(both), 0.1);
   EXPECT_EQ(missing.precision, 1);
   EXPECT_EQ(missing.recall, 0.5);
   EXPECT_NEAR(missing.f_score, 2. / 3, 1e-12);
   EXPECT_NEAR(missing.chamfer, 0.25, 0.01);
-  const SurfaceDistance too_much = CompareSurfaces(PointsOf(both), PointsOf(UnitSquareAt(0)), 0.1);
+  const SurfaceDistance too_much = CompareSurfaces(MakePoints(both), MakePoints(UnitSquareAt(0)), 0.1);
   EXPECT_EQ(too_much.precision, 0.5);
   EXPECT_EQ(too_much.recall, 1);
 }
@@ -94,7 +94,7 @@ TEST(SurfaceDistances, AreThoseOfTheNearestPoint) {
   Eigen::Matrix3Xf points(3, 3), queries(3, 2);
   points << 0, 1, 5, 0, 0, 0, 0, 0, 0;
   queries << 0.9f, 5, 0, 3, 0, 4;
-  const Eigen::VectorXf distances = SurfacePoints(points).DistancesOf(queries);
+  const Eigen::VectorXf distances = SurfacePoints(points).MeasureDistances(queries);
   EXPECT_NEAR(distances[0], 0.1, 1e-6);
   EXPECT_NEAR(distances[1], 5, 1e-6);
 }

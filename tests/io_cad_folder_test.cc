@@ -113,7 +113,7 @@ std::string KeyPoints(const AnnotationTable& table, const std::string& id, doubl
   return header + "\n" + row + "\n";
 }
 
-std::string RowOf(const std::string& table) { return table.substr(table.find('\n') + 1); }
+std::string MakeRow(const std::string& table) { return table.substr(table.find('\n') + 1); }
 
 TEST_F(CadFolder, ChairsTakeTheirBoxesFrameAndExtent) {
   folder_.Write("keypointnet_chair_kp10.csv", KeyPoints(TableOf("keypointnet_chair"), "abc", 1));
@@ -172,8 +172,8 @@ TEST_F(CadFolder, ModelsWithoutBoxesTakeThatOfTheirEdges) {
 
 TEST_F(CadFolder, OfRowsWithOneNameTheLastCounts) {
   const AnnotationTable& table = TableOf("keypointnet_chair");
-  folder_.Write("keypointnet_chair_kp10.csv",
-                KeyPoints(table, "b", 1) + RowOf(KeyPoints(table, "a", 1)) + RowOf(KeyPoints(table, "b", 2)));
+  folder_.Write("keypointnet_chair_kp10.csv", KeyPoints(table, "b", 1) + MakeRow(KeyPoints(table, "a", 1)) +
+                                                  MakeRow(KeyPoints(table, "b", 2)));
   const std::vector<CadModel> models = Read();
   ASSERT_EQ(models.size(), 2);
   EXPECT_EQ(models[0].instance, "keypointnet:a");

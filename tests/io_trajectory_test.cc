@@ -57,13 +57,13 @@ TEST(Trajectory, FindsTheNearestStamp) {
   std::vector<TimedPose> poses(3);
   poses[1].timestamp = 1.0;
   poses[2].timestamp = 1.0015;
-  EXPECT_EQ(IndexOfStamp(poses, 1.0009), 2u);
-  EXPECT_EQ(IndexOfStamp(poses, 1.0005), 1u);
-  EXPECT_EQ(IndexOfStamp(poses, 1.0025), 2u);
-  EXPECT_EQ(IndexOfStamp(poses, -0.001), 0u);
-  EXPECT_FALSE(IndexOfStamp(poses, 0.5));
-  EXPECT_FALSE(IndexOfStamp(poses, 1.0035));
-  EXPECT_FALSE(IndexOfStamp({}, 0));
+  EXPECT_EQ(FindStamp(poses, 1.0009), 2u);
+  EXPECT_EQ(FindStamp(poses, 1.0005), 1u);
+  EXPECT_EQ(FindStamp(poses, 1.0025), 2u);
+  EXPECT_EQ(FindStamp(poses, -0.001), 0u);
+  EXPECT_FALSE(FindStamp(poses, 0.5));
+  EXPECT_FALSE(FindStamp(poses, 1.0035));
+  EXPECT_FALSE(FindStamp({}, 0));
 }
 
 TEST(TrajectoryOnRealData, ReadsTheSharedTrajectories) {

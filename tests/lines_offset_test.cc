@@ -46,7 +46,7 @@ std::optional<Segment> Longest(const std::vector<Segment>& segments) {
 using DetectorParameters =
     std::tuple<std::string, bool, double>;  // name, published, share of the image's size
 
-LineOptions OptionsOf(const DetectorParameters& parameters) {
+LineOptions MakeOptions(const DetectorParameters& parameters) {
   LineOptions options;
   std::tie(options.detector, options.published, options.edgedrawing_scale) = parameters;
   return options;
@@ -56,7 +56,7 @@ class LineOffset : public ::testing::TestWithParam<DetectorParameters> {};
 
 // offset along the normal = shift . normal + toward_bright, over edges in all directions.
 TEST_P(LineOffset, NoSystematicShift) {
-  const LineOptions options = OptionsOf(GetParam());
+  const LineOptions options = MakeOptions(GetParam());
   const auto detector = MakeLineDetector(options);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi), place(70, 90);
@@ -82,7 +82,7 @@ TEST_P(LineOffset, NoSystematicShift) {
 
 // Nothing to see: no segments, no output, no exception; also in the smallest of search regions.
 TEST_P(LineOffset, EmptyAndTinyImages) {
-  const LineOptions options = OptionsOf(GetParam());
+  const LineOptions options = MakeOptions(GetParam());
   const auto detector = MakeLineDetector(options);
   const std::ostringstream output;
   std::streambuf* const saved = std::cout.rdbuf(output.rdbuf());
@@ -94,16 +94,16 @@ TEST_P(LineOffset, EmptyAndTinyImages) {
   EXPECT_EQ(output.str(), "");
 }
 
-std::string NameOf(const ::testing::TestParamInfo<DetectorParameters>& tested) {
+std::string FormatName(const ::testing::TestParamInfo<DetectorParameters>& tested) {
   return std::get<0>(tested.param) + (std::get<1>(tested.param) ? "_published" : "_tuned");
 }
 
 INSTANTIATE_TEST_SUITE_P(AllDetectors, LineOffset,
                          ::testing::Combine(::testing::ValuesIn(LineDetectorNames()), ::testing::Bool(),
                                             ::testing::Values(LineOptions{}.edgedrawing_scale)),
-                         NameOf);
+                         FormatName);
 INSTANTIATE_TEST_SUITE_P(HalfSize, LineOffset,
-                         ::testing::Values(DetectorParameters{"edgedrawing", false, 0.5}), NameOf);
+                         ::testing::Values(DetectorParameters{"edgedrawing", false, 0.5}), FormatName);
 
 }  // namespace
 }  // namespace armature

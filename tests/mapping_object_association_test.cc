@@ -76,7 +76,7 @@ struct FirstMap {
   ObjectOfObservation phi;
 
   explicit FirstMap(const std::vector<MapFrame>& frames) {
-    graph = GraphOfOdometry(frames, {1, 0}, StepNoise{}, 2, 1);
+    graph = MakeOdometryGraph(frames, {1, 0}, StepNoise{}, 2, 1);
     phi = BreakTracks(frames, 3, 4);
     AddObjects(frames, phi, FactorNoise{}, graph);
   }

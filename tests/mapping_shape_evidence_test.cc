@@ -63,7 +63,7 @@ struct WatchedObject {
   }
 
   ShapeEvidence Evidence(const MapSolverOptions& options, double scale_sigma = kSurely) const {
-    return EvidenceOfShape(graph, 0, scale_sigma, options);
+    return ComputeShapeEvidence(graph, 0, scale_sigma, options);
   }
 };
 

@@ -51,7 +51,7 @@ bool IsBlue(const cv::Vec3b& bgr) { return bgr[0] > bgr[2] + 30; }
 bool IsPink(const cv::Vec3b& bgr) { return bgr[2] > bgr[1] + 60 && bgr[0] > bgr[1] + 20; }
 
 TEST(MapView, LooksAsTheCamerasLookFromAboveAcrossTheShallowSide) {
-  const MapView view = ViewOfMap(RowOfCubes(), 160, 100);
+  const MapView view = FrameMap(RowOfCubes(), 160, 100);
   const Vector3d looking = view.T_world_camera.linear().col(2);
   EXPECT_NEAR(looking.x(), 0, 1e-9);
   EXPECT_GT(looking.y(), 0.5);
@@ -61,7 +61,7 @@ TEST(MapView, LooksAsTheCamerasLookFromAboveAcrossTheShallowSide) {
 
 TEST(MapView, FramesEverythingTightly) {
   const MapScene scene = RowOfCubes();
-  const MapView view = ViewOfMap(scene, 160, 100);
+  const MapView view = FrameMap(scene, 160, 100);
   cv::Point low(1000, 1000), high(-1000, -1000);
   const auto extend = [&](const Vector3d& point) {
     const cv::Point pixel = PixelOf(point, view);
@@ -83,7 +83,7 @@ TEST(MapView, FramesEverythingTightly) {
 }
 
 TEST(MapView, TheFloorIsUnderWhatStandsOnIt) {
-  const MapGround ground = ViewOfMap(RowOfCubes(), 160, 100).ground;
+  const MapGround ground = FrameMap(RowOfCubes(), 160, 100).ground;
   EXPECT_NEAR(ground.T_world_ground.translation().z(), 0, 1e-9);
   EXPECT_TRUE(ground.T_world_ground.linear().col(2).isApprox(Vector3d::UnitZ()));
   EXPECT_NEAR(ground.area.sizes().x(), 8, 1e-9);  // 7 m of cubes and the margin, in whole metres
@@ -93,7 +93,7 @@ TEST(MapView, TheFloorIsUnderWhatStandsOnIt) {
 TEST(MapPicture, CubesAreWhereTheirProjectionIs) {
   const MapScene scene = RowOfCubes();
   const cv::Mat3b picture = DrawMap(scene, kSmall);
-  const MapView view = ViewOfMap(scene, kSmall.width, kSmall.height);
+  const MapView view = FrameMap(scene, kSmall.width, kSmall.height);
   for (const double x : {0.0, 3.0, 6.0}) {
     EXPECT_TRUE(IsBlue(picture(PixelOf({x, -0.5, 0.5}, view)))) << x;  // the near face
     EXPECT_TRUE(IsBlue(picture(PixelOf({x - 0.45, -0.5, 0.1}, view)))) << x;
@@ -109,7 +109,7 @@ TEST(MapPicture, CubesAreWhereTheirProjectionIs) {
 TEST(MapPicture, CamerasAreBallsAndThePathIsDotted) {
   const MapScene scene = RowOfCubes();
   const cv::Mat3b picture = DrawMap(scene, kLarge);
-  const MapView view = ViewOfMap(scene, kLarge.width, kLarge.height);
+  const MapView view = FrameMap(scene, kLarge.width, kLarge.height);
   EXPECT_TRUE(IsPink(picture(PixelOf(scene.T_world_camera[0].translation(), view))));
   int dark = 0;
   for (const Vector3d& dot : PathDots(scene.T_world_camera, 0.07)) {
@@ -125,7 +125,7 @@ TEST(MapPicture, WireframesAreDrawnAlsoWhereTheCadModelHidesThem) {
   // Up through the middle of the cube, and on above it.
   scene.objects[1].wireframe = {Vector3d(0, 0, 0.45), Vector3d(0, 0, 1.8)};
   const cv::Mat3b with = DrawMap(scene, kLarge);
-  const MapView view = ViewOfMap(scene, kLarge.width, kLarge.height);
+  const MapView view = FrameMap(scene, kLarge.width, kLarge.height);
   const auto darker = [&](const Vector3d& point) {
     const cv::Point pixel = PixelOf(point, view);
     int most = 0;
@@ -148,7 +148,7 @@ TEST(MapPicture, LabelsAreAboveTheirObjects) {
   for (int y = 0; y < without.rows; ++y) {
     for (int x = 0; x < without.cols; ++x) changed(y, x) = without(y, x) != with(y, x);
   }
-  const MapView view = ViewOfMap(RowOfCubes(), options.width, options.height);
+  const MapView view = FrameMap(RowOfCubes(), options.width, options.height);
   const cv::Point top = PixelOf({6, 0.5, 1}, view);
   EXPECT_GT(cv::countNonZero(changed(cv::Rect(top.x - 12, top.y - 24, 24, 24))), 20);
   EXPECT_EQ(cv::countNonZero(changed(cv::Rect(0, PixelOf({0, -0.5, 0}, view).y, with.cols, 20))), 0);

@@ -63,10 +63,10 @@ TEST(RayScene, MeetsTriangles) {
 
 TEST(RayScene, LooksForOneObjectThroughAllOthers) {
   const RayScene scene = ThreeSquares();
-  EXPECT_NEAR(scene.NearestOfObject(2, {0, 0, -2}, Vector3d::UnitZ()).distance, 5, 1e-6);
-  EXPECT_EQ(scene.NearestOfObject(2, {0, 0, -2}, Vector3d::UnitZ()).mesh, 2);
-  EXPECT_EQ(scene.NearestOfObject(1, {0, 0, 2}, Vector3d::UnitZ()).mesh, -1);
-  EXPECT_EQ(scene.NearestOfObject(7, {0, 0, 2}, Vector3d::UnitZ()).mesh, -1);
+  EXPECT_NEAR(scene.HitNearestOfObject(2, {0, 0, -2}, Vector3d::UnitZ()).distance, 5, 1e-6);
+  EXPECT_EQ(scene.HitNearestOfObject(2, {0, 0, -2}, Vector3d::UnitZ()).mesh, 2);
+  EXPECT_EQ(scene.HitNearestOfObject(1, {0, 0, 2}, Vector3d::UnitZ()).mesh, -1);
+  EXPECT_EQ(scene.HitNearestOfObject(7, {0, 0, 2}, Vector3d::UnitZ()).mesh, -1);
 }
 
 TEST(RayScene, IsBlockedOnlyByWhatIsBetween) {

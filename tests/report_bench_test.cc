@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-SpanStatistics Milliseconds(double value) { return StatisticsOf({value}).value(); }
+SpanStatistics Milliseconds(double value) { return ComputeStatistics({value}).value(); }
 
 // Two engines on seq1, the lines 6 ms, the network 450 ms; a curve each.
 BenchReport TwoEngines() {
@@ -70,7 +70,7 @@ TEST_F(ReportBench, TimesBesideThePapers) {
 }
 
 TEST_F(ReportBench, StagesAreStackedWithoutTheTotal) {
-  const auto all = StageBarsOf(Read());
+  const auto all = MakeStageBars(Read());
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].sequence, "seq1");
   EXPECT_EQ(all[0].stages, (std::vector<std::string>{"detection", "mapping", "optimization"}));

@@ -31,10 +31,10 @@ TEST(ReportMap, PageIsSeenFromAbove) {
   EXPECT_TRUE((to_page * Eigen::Vector3d(5, 2, 3)).isApprox(Eigen::Vector2d(3, -2)));
 }
 
-TEST(ReportFrames, RichestOfParts) {
-  EXPECT_EQ(RichestOfParts({0, 3, 1, 0, 0, 0, 2, 2, 2}, 3), (std::vector<size_t>{1, 7}));
-  EXPECT_EQ(RichestOfParts({1, 1}, 6), (std::vector<size_t>{0, 1}));
-  EXPECT_TRUE(RichestOfParts({}, 6).empty());
+TEST(ReportFrames, PickRichestParts) {
+  EXPECT_EQ(PickRichestParts({0, 3, 1, 0, 0, 0, 2, 2, 2}, 3), (std::vector<size_t>{1, 7}));
+  EXPECT_EQ(PickRichestParts({1, 1}, 6), (std::vector<size_t>{0, 1}));
+  EXPECT_TRUE(PickRichestParts({}, 6).empty());
 }
 
 TEST(ReportStrips, CropHasAMarginInsideTheImage) {
@@ -65,7 +65,7 @@ class ReportOfTrueWorld : public ::testing::Test {
   }
 
   size_t ModesOf(const std::string& category) const {
-    return static_cast<size_t>(ModelOf(world_.models, category).modes());
+    return static_cast<size_t>(LookUpModel(world_.models, category).modes());
   }
 
   TrueWorld world_;

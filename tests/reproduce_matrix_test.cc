@@ -96,7 +96,7 @@ TEST_F(ReproduceMatrix, DrawsHaveNamesAndFoldersOfTheirOwn) {
   matrix.seeds = 2;
   matrix.data = "/d";
   matrix.sequences = {"/my/kitchen"};
-  const std::vector<MatrixSequence> sequences = SequencesOf(matrix);
+  const std::vector<MatrixSequence> sequences = ListSequences(matrix);
   ASSERT_EQ(sequences.size(), 5u);
   EXPECT_EQ(sequences[0].folder, "/d/seq1");
   EXPECT_EQ(sequences[3].name, "seq2-draw2");
@@ -139,8 +139,8 @@ TEST_F(ReproduceMatrix, SequencesOfOnesOwnTakeThePlaceOfAll) {
   folder_.Write("other/kitchen/sequence.yaml", "name: kitchen\n");
   Matrix matrix = Read(kSmall);
   ReplaceSequences({folder_ / "mine/kitchen/"}, matrix);
-  ASSERT_EQ(SequencesOf(matrix).size(), 1u);
-  EXPECT_EQ(SequencesOf(matrix)[0].folder, folder_.path() / "mine/kitchen");
+  ASSERT_EQ(ListSequences(matrix).size(), 1u);
+  EXPECT_EQ(ListSequences(matrix)[0].folder, folder_.path() / "mine/kitchen");
   EXPECT_EQ(matrix.timings[0].sequences, Names{"kitchen"});
   EXPECT_TRUE(matrix.timings[1].sequences.empty()) << "it needs none";
   EXPECT_TRUE(matrix.retrieval.empty()) << "there are no CAD models";

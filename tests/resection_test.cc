@@ -54,8 +54,8 @@ ResectionProblem ProblemOf(const SyntheticView& synthetic) {
 }
 
 // Not diagonal: the whitening must be by L^T.
-ObjectMemory MemoryOf(const SyntheticView& synthetic) {
-  ObjectMemory memory;
+TrackPrior MemoryOf(const SyntheticView& synthetic) {
+  TrackPrior memory;
   memory.expected = synthetic.truth;
   const int n = 4 + synthetic.model.modes();
   memory.sqrt_information = Eigen::MatrixXd::Identity(n, n) * 3;
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(NormalTerms, ResectionDerivatives,
 TEST(ResectionProblem, MemoryDerivativesAgreeWithCentralDifferences) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
   ResectionProblem problem = ProblemOf(synthetic);
-  const ObjectMemory memory = MemoryOf(synthetic);
+  const TrackPrior memory = MemoryOf(synthetic);
   problem.memory = &memory;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(problem.NumParameters(), 0.05);
   Eigen::VectorXd residuals(problem.NumResiduals());
@@ -114,8 +114,8 @@ TEST_P(ResectionDerivatives, GiveTheNormalEquationsOfTheirJacobian) {
   problem.normal_term = GetParam();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters());
   x << 0.1, -0.2, 0.05, 0.02, 0.03, -0.04, 0.5, -0.4, 0.3, 0.2, -0.1, 0.15, 0.25;
-  const ObjectMemory memory = MemoryOf(synthetic);
-  for (const ObjectMemory* remembered : {static_cast<const ObjectMemory*>(nullptr), &memory}) {
+  const TrackPrior memory = MemoryOf(synthetic);
+  for (const TrackPrior* remembered : {static_cast<const TrackPrior*>(nullptr), &memory}) {
     problem.memory = remembered;
     ExpectNormalEquationsOfTheJacobian<7>(problem, x);
     ExpectNormalEquationsOfTheJacobian<Eigen::Dynamic>(problem, x);
@@ -145,10 +145,10 @@ ResectionProblem SolvableProblem(const SyntheticView& synthetic) {
 TEST(ResectionSolver, AgreesWithCeres) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
   ResectionProblem problem = SolvableProblem(synthetic);
-  const ObjectMemory memory = MemoryOf(synthetic);
+  const TrackPrior memory = MemoryOf(synthetic);
   const SolverOptions options{.max_iterations = 300, .function_tolerance = 0, .parameter_tolerance = 1e-12};
   for (const double off : {0.0, 0.02, 0.08}) {
-    for (const ObjectMemory* remembered : {static_cast<const ObjectMemory*>(nullptr), &memory}) {
+    for (const TrackPrior* remembered : {static_cast<const TrackPrior*>(nullptr), &memory}) {
       problem.memory = remembered;
       Eigen::VectorXd ours = Eigen::VectorXd::Constant(problem.NumParameters(), off), theirs = ours;
       const SolverResult small = SolveResection(problem, options, ours);

@@ -29,10 +29,10 @@ double DegreesOff(const SeenChair& chair, const InstanceFit& fit) {
   return off.angle() / kDegree;
 }
 
-TEST(ModelOfInstance, HasItsSizeAsItsOnlyMode) {
+TEST(MakeInstanceModel, HasItsSizeAsItsOnlyMode) {
   const SeenChair chair;
   const Wireframe wireframe = chair.TrueWireframe();
-  const CategoryModel model = ModelOfInstance(chair.model().spec, wireframe, 0.05);
+  const CategoryModel model = MakeInstanceModel(chair.model().spec, wireframe, 0.05);
   ASSERT_EQ(model.modes(), 1);
   EXPECT_NEAR(model.basis.norm(), 1, 1e-12);
   const Wireframe larger = WireframeFromCoefficients(model, Eigen::VectorXd::Constant(1, 2));

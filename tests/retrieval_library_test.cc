@@ -14,7 +14,7 @@ using testing::FrameModel;
 using testing::MetricFrame;
 using testing::SomeCoefficients;
 
-CategoryInstances LibraryOf(const CadModel& cad) {
+CategoryInstances MakeLibrary(const CadModel& cad) {
   return BuildLibrary({FrameModel()}, {cad}, "").categories.at(0);
 }
 
@@ -33,10 +33,10 @@ CadModel UnscaledFrame() {
 TEST(InstanceLibrary, CoefficientsComeBack) {
   const Eigen::Vector3d coefficients(1.5, -0.5, 0.7);
   const CadModel cad = MetricFrame("f", coefficients);
-  const CategoryInstances instances = LibraryOf(cad);
+  const CategoryInstances instances = MakeLibrary(cad);
   EXPECT_LT((instances.coefficients.col(0).cast<double>() - coefficients).norm(), 1e-5);
-  EXPECT_LT((instances.WireframeOf(0).midpoints - cad.wireframe.midpoints).norm(), 1e-6);
-  EXPECT_LT((instances.WireframeOf(0).directions - cad.wireframe.directions).norm(), 1e-6);
+  EXPECT_LT((instances.MakeWireframe(0).midpoints - cad.wireframe.midpoints).norm(), 1e-6);
+  EXPECT_LT((instances.MakeWireframe(0).directions - cad.wireframe.directions).norm(), 1e-6);
   EXPECT_EQ(instances.size_sigmas(0), 0);
   EXPECT_EQ(instances.ids, std::vector<std::string>{"f"});
   EXPECT_EQ(instances.category, "frame");
@@ -44,23 +44,23 @@ TEST(InstanceLibrary, CoefficientsComeBack) {
 
 TEST(InstanceLibrary, SizesAreThoseOfTheCadModel) {
   const CadModel cad = MetricFrame("f", Eigen::Vector3d(1, 1, 1));
-  EXPECT_TRUE(LibraryOf(cad).sizes.col(0).cast<double>().isApprox(cad.box_max - cad.box_min, 1e-6));
+  EXPECT_TRUE(MakeLibrary(cad).sizes.col(0).cast<double>().isApprox(cad.box_max - cad.box_min, 1e-6));
 }
 
 TEST(InstanceLibrary, MetricModelsAreOnlyCentred) {
   CadModel cad = MetricFrame("f", Eigen::Vector3d(2, 0, 0));
   cad.wireframe.midpoints.colwise() += Eigen::Vector3d(5, 6, 7);
-  const CategoryInstances instances = LibraryOf(cad);
+  const CategoryInstances instances = MakeLibrary(cad);
   EXPECT_NEAR(instances.coefficients(0, 0), 2, 1e-5) << "as wide as it is, whatever the reference says";
-  EXPECT_LT(BoundingBoxCenter(instances.WireframeOf(0)).norm(), 1e-6);
+  EXPECT_LT(BoundingBoxCenter(instances.MakeWireframe(0)).norm(), 1e-6);
 }
 
 TEST(InstanceLibrary, OthersAreBroughtToMetres) {
   const CadModel cad = UnscaledFrame();
   const CategoryModel model = FrameModel();
-  const CategoryInstances instances = LibraryOf(cad);
+  const CategoryInstances instances = MakeLibrary(cad);
   const Wireframe expected = Normalised(model.spec.reference, cad.wireframe);
-  EXPECT_NEAR(instances.WireframeOf(0).directions.col(2).norm(), 1, 1e-6) << "the reference";
+  EXPECT_NEAR(instances.MakeWireframe(0).directions.col(2).norm(), 1, 1e-6) << "the reference";
   EXPECT_LT((instances.edges.col(0).cast<double>() - ShapeVector(expected)).norm(), 1e-6);
   EXPECT_LT(
       (instances.coefficients.col(0).cast<double>() - CoefficientsFromWireframe(model, expected)).norm(),
@@ -75,12 +75,12 @@ TEST(InstanceLibrary, SurfacesComeAlongIntoTheObjectsFrame) {
   cad.T_annotation_geometry = Eigen::Translation3d(0.3, 0.2, 0.1) *
                               Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()) *
                               Eigen::Scaling(0.01);
-  const CategoryInstances instances = LibraryOf(cad);
+  const CategoryInstances instances = MakeLibrary(cad);
   const Eigen::Affine3d T_geometry_annotation = cad.T_annotation_geometry->inverse();
   for (int edge = 0; edge < 3; ++edge) {
     for (const int end : {0, 1}) {
       const Eigen::Vector3d on_surface = T_geometry_annotation * cad.wireframe.End(edge, end);
-      EXPECT_LT((instances.TransformOf(0) * on_surface - instances.WireframeOf(0).End(edge, end)).norm(),
+      EXPECT_LT((instances.MakeTransform(0) * on_surface - instances.MakeWireframe(0).End(edge, end)).norm(),
                 1e-4);
     }
   }
@@ -88,9 +88,9 @@ TEST(InstanceLibrary, SurfacesComeAlongIntoTheObjectsFrame) {
 
 TEST(InstanceLibrary, ASurfaceWithoutFrameIsLeftOut) {
   CadModel cad = MetricFrame("f", Eigen::Vector3d::Zero());
-  EXPECT_EQ(LibraryOf(cad).geometries.front(), "mesh/f.ply");
+  EXPECT_EQ(MakeLibrary(cad).geometries.front(), "mesh/f.ply");
   cad.T_annotation_geometry.reset();
-  EXPECT_EQ(LibraryOf(cad).geometries.front(), "");
+  EXPECT_EQ(MakeLibrary(cad).geometries.front(), "");
 }
 
 TEST(InstanceLibrary, ModelsWithoutSizeAreLeftOut) {

@@ -86,7 +86,7 @@ TEST(Features, AQueryIsDescribedAsTheInstancesAre) {
       instances.coefficients.col(1).cast<double>(), instances.sizes.col(1).cast<double>(), {}};
   for (const char* space : {"whitened", "raw"}) {
     const FeatureOptions options{.space = space, .modes = 2, .with_size = true};
-    EXPECT_EQ(FeaturesOf(query, kDeviations, options), Features(instances, kDeviations, options).col(1));
+    EXPECT_EQ(ComputeFeatures(query, kDeviations, options), Features(instances, kDeviations, options).col(1));
   }
 }
 

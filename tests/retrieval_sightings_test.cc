@@ -22,7 +22,7 @@ Map InTurns(size_t cameras) {
   return map;
 }
 
-std::vector<size_t> CamerasOf(const std::vector<Sighting>& sightings) {
+std::vector<size_t> PickCameras(const std::vector<Sighting>& sightings) {
   std::vector<size_t> cameras(sightings.size());
   for (size_t i = 0; i < cameras.size(); ++i) cameras[i] = sightings[i].camera;
   return cameras;
@@ -30,15 +30,15 @@ std::vector<size_t> CamerasOf(const std::vector<Sighting>& sightings) {
 
 TEST(SightingsToLookAt, AllOfOneObjectWhereTheyAreFew) {
   const std::vector<Sighting> sightings = SightingsToLookAt(InTurns(6), 1, 3);
-  EXPECT_EQ(CamerasOf(sightings), (std::vector<size_t>{0, 2, 4}));
+  EXPECT_EQ(PickCameras(sightings), (std::vector<size_t>{0, 2, 4}));
   for (const Sighting& sighting : sightings) EXPECT_EQ(sighting.detection, 2);
 }
 
 TEST(SightingsToLookAt, SpreadEvenlyWhereTheyAreMany) {
-  EXPECT_EQ(CamerasOf(SightingsToLookAt(InTurns(100), 0, 4)), (std::vector<size_t>{12, 37, 62, 87}));
-  EXPECT_EQ(CamerasOf(SightingsToLookAt(InTurns(100), 1, 2)), (std::vector<size_t>{24, 74}));
-  EXPECT_EQ(CamerasOf(SightingsToLookAt(InTurns(5), 0, 4)), (std::vector<size_t>{0, 1, 3, 4}));
-  EXPECT_EQ(CamerasOf(SightingsToLookAt(InTurns(7), 0, 1)), (std::vector<size_t>{3}));
+  EXPECT_EQ(PickCameras(SightingsToLookAt(InTurns(100), 0, 4)), (std::vector<size_t>{12, 37, 62, 87}));
+  EXPECT_EQ(PickCameras(SightingsToLookAt(InTurns(100), 1, 2)), (std::vector<size_t>{24, 74}));
+  EXPECT_EQ(PickCameras(SightingsToLookAt(InTurns(5), 0, 4)), (std::vector<size_t>{0, 1, 3, 4}));
+  EXPECT_EQ(PickCameras(SightingsToLookAt(InTurns(7), 0, 1)), (std::vector<size_t>{3}));
 }
 
 TEST(SightingsToLookAt, NoneOfAnObjectThatWasNotSeen) {
@@ -119,13 +119,13 @@ TEST_F(SightedRoom, AloneNothingHidesIt) {
   EXPECT_TRUE(seen.frames[0].observations[0].view.occluders.empty());
 }
 
-TEST(UpOf, IsTheMeanOfTheObjectsYAxes) {
+TEST(EstimateUp, IsTheMeanOfTheObjectsYAxes) {
   Map map;
-  EXPECT_EQ(UpOf(map), Eigen::Vector3d(0, -1, 0)) << "the camera's, where there is no object";
+  EXPECT_EQ(EstimateUp(map), Eigen::Vector3d(0, -1, 0)) << "the camera's, where there is no object";
   map.objects.resize(2);
   map.objects[0].T_world_object.linear() = ExpSO3({0.1, 0, 0}) * Eigen::Vector3d(-1, -1, 1).asDiagonal();
   map.objects[1].T_world_object.linear() = ExpSO3({-0.1, 0, 0}) * Eigen::Vector3d(1, -1, -1).asDiagonal();
-  EXPECT_TRUE(UpOf(map).isApprox(Eigen::Vector3d(0, -1, 0)));
+  EXPECT_TRUE(EstimateUp(map).isApprox(Eigen::Vector3d(0, -1, 0)));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Scene SmallScene() {
   scene.objects.push_back({"table", collection[2], StandingOn(place, collection[2])});
   place.translation() = Vector3d(1.5, 2, 0);
   scene.objects.push_back({"chair", collection[0], StandingOn(place, collection[0])});
-  scene.objects.push_back({"laptop", collection[4], StandingOn(TopOf(scene.objects[0]), collection[4])});
+  scene.objects.push_back({"laptop", collection[4], StandingOn(FindTop(scene.objects[0]), collection[4])});
   return scene;
 }
 
@@ -142,7 +142,7 @@ TEST(ScatteredClutter, OverlapsNothing) {
     const std::vector<ClutterPiece> pieces = ScatteredClutter(scene);
     EXPECT_GE(pieces.size(), 8u);
     for (const ClutterPiece& piece : pieces) {
-      const OrientedBox box = SolidOf(piece.mesh, piece.T_world_mesh).around;
+      const OrientedBox box = MakeSolid(piece.mesh, piece.T_world_mesh).around;
       for (const OrientedBox& other : boxes) EXPECT_LT(IntersectionVolume(box, other), 1e-9);
       boxes.push_back(box);
     }

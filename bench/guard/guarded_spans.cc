@@ -11,18 +11,18 @@
 
 namespace armature {
 
-BenchRecord RecordOf(const BenchEnvironment& environment, const BenchReport& report) {
+BenchRecord MakeRecord(const BenchEnvironment& environment, const BenchReport& report) {
   BenchRecord record{environment.machine.cpu, {}, {}};
   std::vector<double> passes;
   for (const BenchSection& section : report.sections) {
     passes.insert(passes.end(), section.calibration_ms.begin(), section.calibration_ms.end());
     record.spans.insert(record.spans.end(), section.spans.begin(), section.spans.end());
-    if (const auto calibration = StatisticsOf(section.calibration_ms))
+    if (const auto calibration = ComputeStatistics(section.calibration_ms))
       record.spans.push_back(
           {section.name, section.sequence, kCalibrationName, kCalibrationStage, *calibration});
   }
   std::erase_if(record.spans, [](const NamedSpan& span) { return !(span.milliseconds.median > 0); });
-  record.calibration = StatisticsOf(std::move(passes)).value_or(SpanStatistics{});
+  record.calibration = ComputeStatistics(std::move(passes)).value_or(SpanStatistics{});
   return record;
 }
 

@@ -18,7 +18,7 @@ using TableOfSequence = std::pair<std::string, std::string>;
 // The spans of all sections, each followed by its calibration's ("calibration", "pass"), with one calibration
 // of the whole process. A stage that mostly had nothing to do
 // (a median of 0) is left out. Without any race there is no calibration, and no span.
-BenchRecord RecordOf(const BenchEnvironment& environment, const BenchReport& report);
+BenchRecord MakeRecord(const BenchEnvironment& environment, const BenchReport& report);
 
 // Whether this machine's work took the time: not for the network of keypoints:published, whose time is added,
 // and of keypoints:wait, which sleeps, nor for their totals.

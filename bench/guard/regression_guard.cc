@@ -27,7 +27,7 @@ double Tolerance(const SpanStatistics& reference, const SpanStatistics& calibrat
                                  DownwardError(now) + UpwardError(calibration_now));
 }
 
-Verdict VerdictOf(const SpanComparison& span) {
+Verdict JudgeSpan(const SpanComparison& span) {
   if (std::min(span.reference->n, span.now->n) < kFewest) return Verdict::kTooFew;
   if (std::max(span.ratio, 1 / span.ratio) <= 1 + span.tolerance) return Verdict::kSame;
   return span.ratio > 1 ? Verdict::kSlower : Verdict::kFaster;
@@ -43,8 +43,9 @@ std::string CalibrationKey(const NamedSpan& span) {
 using SpansByKey = std::map<std::string, SpanStatistics>;
 
 // Reference and now: of the span's own table where both have it, for the machine drifts from one to the next.
-std::pair<SpanStatistics, SpanStatistics> CalibrationsOf(const NamedSpan& span, const SpansByKey& before,
-                                                         const SpansByKey& after, const GuardResult& result) {
+std::pair<SpanStatistics, SpanStatistics> FindCalibrations(const NamedSpan& span, const SpansByKey& before,
+                                                           const SpansByKey& after,
+                                                           const GuardResult& result) {
   const auto reference = before.find(CalibrationKey(span)), now = after.find(CalibrationKey(span));
   if (reference == before.end() || now == after.end())
     return {result.calibration_reference, result.calibration_now};
@@ -59,7 +60,7 @@ SpanComparison Compare(const NamedSpan& span, const SpanStatistics& reference,
   comparison.tolerance = comparison.ratio > 1
                              ? Tolerance(reference, calibration_reference, now, calibration_now)
                              : Tolerance(now, calibration_now, reference, calibration_reference);
-  comparison.verdict = VerdictOf(comparison);
+  comparison.verdict = JudgeSpan(comparison);
   return comparison;
 }
 
@@ -95,7 +96,7 @@ GuardResult CompareWithReference(const BenchRecord& reference, const BenchRecord
           {.key = span.Key(), .reference = {}, .now = span.milliseconds, .verdict = Verdict::kNew});
       continue;
     }
-    const auto [calibration_before, calibration_after] = CalibrationsOf(span, before, after, result);
+    const auto [calibration_before, calibration_after] = FindCalibrations(span, before, after, result);
     result.spans.push_back(Compare(span, found->second, calibration_before, calibration_after));
   }
   if (result.Count(Verdict::kNew) == result.spans.size()) {

@@ -14,13 +14,14 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-std::optional<Eigen::Vector3d> UpOf(const BenchSequence& sequence, const FrameInput& input) {
+std::optional<Eigen::Vector3d> EstimateUp(const BenchSequence& sequence, const FrameInput& input) {
   if (!sequence.up_odom || !input.T_odom_camera) return std::nullopt;
   return (input.T_odom_camera->linear().transpose() * *sequence.up_odom).normalized();
 }
 
-KeypointInput InputOf(const Detection& detection, const KeypointCategory& category, const Camera& camera,
-                      const std::optional<Eigen::Vector3d>& up_camera, double cut_tolerance, Random& random) {
+KeypointInput MakeInput(const Detection& detection, const KeypointCategory& category, const Camera& camera,
+                        const std::optional<Eigen::Vector3d>& up_camera, double cut_tolerance,
+                        Random& random) {
   KeypointInput input;
   input.view.camera = &camera;
   input.view.model = &category.model;
@@ -36,27 +37,27 @@ KeypointInput InputOf(const Detection& detection, const KeypointCategory& catego
 
 }  // namespace
 
-KeypointCategories KeypointCategoriesOf(std::vector<CategoryModel> models) {
+KeypointCategories MakeKeypointCategories(std::vector<CategoryModel> models) {
   KeypointCategories categories;
   for (CategoryModel& model : models) {
     const std::string name = model.spec.name;
-    std::vector<ShapePoint> keypoints = KeypointsOf(model);
+    std::vector<ShapePoint> keypoints = MakeKeypoints(model);
     categories.emplace(name, KeypointCategory{std::move(model), std::move(keypoints)});
   }
   return categories;
 }
 
-KeypointInputs KeypointInputsOf(const BenchSequence& sequence, const KeypointCategories& categories,
-                                double cut_tolerance) {
+KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories,
+                                  double cut_tolerance) {
   KeypointInputs inputs;
   std::uint64_t stream = 0;
   for (const BenchFrame& frame : sequence.frames) {
-    const std::optional<Eigen::Vector3d> up_camera = UpOf(sequence, frame.input);
+    const std::optional<Eigen::Vector3d> up_camera = EstimateUp(sequence, frame.input);
     std::vector<KeypointInput>& of_frame = inputs[&frame];
     for (const Detection& detection : frame.input.detections) {
       Random random(StreamSeed(kSeed, stream++));
-      of_frame.push_back(InputOf(detection, categories.at(detection.category), sequence.camera, up_camera,
-                                 cut_tolerance, random));
+      of_frame.push_back(MakeInput(detection, categories.at(detection.category), sequence.camera, up_camera,
+                                   cut_tolerance, random));
     }
   }
   return inputs;

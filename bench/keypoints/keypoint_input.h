@@ -22,7 +22,7 @@ struct KeypointCategory {
 
 using KeypointCategories = std::map<std::string, KeypointCategory>;  // by name
 
-KeypointCategories KeypointCategoriesOf(std::vector<CategoryModel> models);
+KeypointCategories MakeKeypointCategories(std::vector<CategoryModel> models);
 
 // What is known of a detection before its network runs, and what the network is going to say.
 struct KeypointInput {
@@ -36,7 +36,7 @@ using KeypointInputs = std::unordered_map<const BenchFrame*, std::vector<Keypoin
 
 // Every detection's category must be one of the categories. A side of a box that is as close to the image's
 // border as `cut_tolerance` (share of the box's size) is taken to be cut by it.
-KeypointInputs KeypointInputsOf(const BenchSequence& sequence, const KeypointCategories& categories,
-                                double cut_tolerance);
+KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories,
+                                  double cut_tolerance);
 
 }  // namespace armature

@@ -56,7 +56,7 @@ ResectionProblem MakeProblem(const ObjectView& view, const std::vector<ShapePoin
 
 }  // namespace
 
-std::vector<ShapePoint> KeypointsOf(const CategoryModel& model) {
+std::vector<ShapePoint> MakeKeypoints(const CategoryModel& model) {
   std::vector<Corner> corners;
   for (int edge = 0; edge < model.spec.edges(); ++edge) {
     for (const double s : {-0.5, 0.5}) AddEnd(PointOnEdge(model, edge, s), corners);

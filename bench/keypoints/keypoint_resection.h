@@ -15,13 +15,13 @@ namespace armature {
 
 // The ends of the category's edges, each corner once: ends that lie within 2 cm of each other on the mean
 // shape are one keypoint, their mean.
-std::vector<ShapePoint> KeypointsOf(const CategoryModel& model);
+std::vector<ShapePoint> MakeKeypoints(const CategoryModel& model);
 
 // Where they are in the camera frame, 3 x K, metres.
 Eigen::Matrix3Xd KeypointsAt(const std::vector<ShapePoint>& keypoints, const PoseAndShape& at);
 
 struct SeenKeypoint {
-  int keypoint = 0;             // index into KeypointsOf
+  int keypoint = 0;             // index into MakeKeypoints
   Eigen::Vector2d pixel{0, 0};  // undistorted
 };
 

@@ -42,7 +42,7 @@ class KeypointsEngine : public Engine {
   KeypointsEngine(KeypointsMode mode, const Options& options, std::vector<CategoryModel> models)
       : cut_tolerance_(options.association.box.cut_tolerance),
         resection_(options.resection),
-        categories_(KeypointCategoriesOf(std::move(models))),
+        categories_(MakeKeypointCategories(std::move(models))),
         pass_(MakePass(mode, categories_)) {}
 
   std::string Description() const override {
@@ -58,7 +58,7 @@ class KeypointsEngine : public Engine {
   bool IsStateless() const override { return true; }
 
   void Start(const BenchSequence& sequence) override {
-    inputs_ = KeypointInputsOf(sequence, categories_, cut_tolerance_);
+    inputs_ = MakeKeypointInputs(sequence, categories_, cut_tolerance_);
   }
 
   FrameOutcome Process(const BenchFrame& frame) override {

@@ -19,13 +19,13 @@ std::shared_ptr<const MicroView> SharedView(const CategoryModel& model, size_t s
   return std::make_shared<const MicroView>(model, segments, setup.association.box);
 }
 
-std::vector<Hypothesis> HypothesesOf(const MicroView& micro, const AssociationOptions& options) {
+std::vector<Hypothesis> MakeMicroHypotheses(const MicroView& micro, const AssociationOptions& options) {
   return MakeHypotheses(micro.view, micro.dictionary, options.box, options.hypotheses);
 }
 
 Contender HypothesisContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   const auto micro = SharedView(model, kMicroSegments, setup);
-  const std::vector<Hypothesis> hypotheses = HypothesesOf(*micro, setup.association);
+  const std::vector<Hypothesis> hypotheses = MakeMicroHypotheses(*micro, setup.association);
   return MicroContender(name, static_cast<double>(hypotheses.size()),
                         [micro, hypotheses, options = setup.association] {
                           ProjectedWireframe scratch;
@@ -35,10 +35,10 @@ Contender HypothesisContender(const std::string& name, const CategoryModel& mode
 
 Contender HypothesesContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   const auto micro = SharedView(model, kMicroSegments, setup);
-  const size_t made = HypothesesOf(*micro, setup.association).size();
+  const size_t made = MakeMicroHypotheses(*micro, setup.association).size();
   return MicroContender(name, static_cast<double>(made * kHypothesesCalls),
                         [micro, options = setup.association] {
-                          for (int i = 0; i < kHypothesesCalls; ++i) HypothesesOf(*micro, options);
+                          for (int i = 0; i < kHypothesesCalls; ++i) MakeMicroHypotheses(*micro, options);
                         });
 }
 

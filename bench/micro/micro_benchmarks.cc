@@ -36,7 +36,7 @@ std::optional<SpanStatistics> CallTimes(const std::vector<BenchRow>& rows, const
   for (const BenchRow& row : rows) {
     if (row.contender == contender) milliseconds.push_back(row.wall_ms);
   }
-  return StatisticsOf(std::move(milliseconds));
+  return ComputeStatistics(std::move(milliseconds));
 }
 
 std::vector<Cell> TableRow(const std::string& name, const NamedSpan* span) {

@@ -55,7 +55,7 @@ std::string DataBlock(const Plot& plot, size_t index) {
   return block + "EOD\n";
 }
 
-std::string StyleOf(const PlotSeries& series, size_t colour) {
+std::string FormatStyle(const PlotSeries& series, size_t colour) {
   const std::string line = fmt::format("lc rgb '{}' lw 2", PlotColour(colour));
   const std::string points = fmt::format("pt {} ps 0.7", 5 + 2 * (colour % 5));
   switch (series.style) {
@@ -80,7 +80,7 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
   }
   const std::string title =
       series.name.empty() ? "notitle" : fmt::format("title {}", GnuplotText(series.name));
-  return draw + fmt::format("$data{} using 1:2 {} {}", index, StyleOf(series, colour), title);
+  return draw + fmt::format("$data{} using 1:2 {} {}", index, FormatStyle(series, colour), title);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr size_t kFitSamples = 40;  // a straight line is a curve on a logarithmic axis
 
 // The bar of a contender, made when its first span comes.
-StackedBars::Bar& BarOf(const std::string& name, StackedBars& bars) {
+StackedBars::Bar& FindBar(const std::string& name, StackedBars& bars) {
   const auto found = std::find_if(bars.bars.begin(), bars.bars.end(),
                                   [&](const StackedBars::Bar& bar) { return bar.name == name; });
   if (found != bars.bars.end()) return *found;
@@ -34,7 +34,7 @@ void DrawComparison(const BenchSection& section, size_t objects, const fs::path&
   for (const NamedSpan& span : section.spans) {
     const auto stage = std::find(bars.stages.begin(), bars.stages.end(), span.stage);
     if (stage == bars.stages.end()) continue;
-    BarOf(span.contender, bars).parts[static_cast<size_t>(stage - bars.stages.begin())] =
+    FindBar(span.contender, bars).parts[static_cast<size_t>(stage - bars.stages.begin())] =
         span.milliseconds.median;
   }
   const double n = static_cast<double>(objects);

@@ -74,7 +74,7 @@ std::string Panel(const StackedBars& bars, const std::string& title, double limi
 }
 
 // Of two panels: names of more than four bars would run into each other otherwise.
-int HeightOfTwo(size_t count) { return 560 + 60 * std::max(0, static_cast<int>(count) - 4); }
+int ComputeHeightOfTwo(size_t count) { return 560 + 60 * std::max(0, static_cast<int>(count) - 4); }
 
 std::optional<double> EnlargedLimit(const StackedBars& bars, double longest) {
   const double small = LongestBelow(bars, kSmallShare * longest);
@@ -87,7 +87,7 @@ void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) {
   CheckBars(bars);
   const double longest = LongestBelow(bars, 1e300);
   const std::optional<double> enlarged = EnlargedLimit(bars, longest);
-  std::string script = SvgHeader(enlarged ? HeightOfTwo(bars.bars.size()) : 560);
+  std::string script = SvgHeader(enlarged ? ComputeHeightOfTwo(bars.bars.size()) : 560);
   for (size_t stage = 0; stage < bars.stages.size(); ++stage) script += StageBlock(bars, stage);
   script += BarNames(bars);
   script += fmt::format("set yrange [{}:0.6]\nset grid noytics\nset rmargin 12\n",

@@ -65,7 +65,7 @@ std::vector<BenchRow> RaceQueries(const InstanceIndex& index, const Eigen::Matri
   return Race({single}, count, {.warm_up = kRetrievalWarmUp, .repetitions = 1});
 }
 
-Answers AnswersOf(const InstanceIndex& index, const Eigen::MatrixXf& queries) {
+Answers CollectAnswers(const InstanceIndex& index, const Eigen::MatrixXf& queries) {
   Answers answers;
   for (const auto& query : queries.colwise()) {
     ThrowIfInterrupted();

@@ -53,7 +53,7 @@ class SavedStructure {
 std::vector<BenchRow> RaceQueries(const InstanceIndex& index, const Eigen::MatrixXf& queries, size_t count,
                                   const std::string& contender, Answers& answers);
 
-Answers AnswersOf(const InstanceIndex& index, const Eigen::MatrixXf& queries);
+Answers CollectAnswers(const InstanceIndex& index, const Eigen::MatrixXf& queries);
 
 // Share of the true neighbours that are among those found, of the queries that were answered.
 double Recall(const Answers& found, const Answers& truth);

@@ -32,7 +32,7 @@ CategoryModel ChairLike(Eigen::Index modes) {
   return model;
 }
 
-InstanceLibrary LibraryOf(const CategoryModel& model, const Eigen::MatrixXf& coefficients) {
+InstanceLibrary MakeLibrary(const CategoryModel& model, const Eigen::MatrixXf& coefficients) {
   CategoryInstances instances{.category = model.spec.name, .model_checksum = ModelChecksum(model)};
   const Eigen::Index count = coefficients.cols();
   instances.coefficients = coefficients;
@@ -48,15 +48,15 @@ InstanceLibrary LibraryOf(const CategoryModel& model, const Eigen::MatrixXf& coe
 }
 
 // An estimate that knows its first modes better than its last.
-ShapeEvidence EvidenceOf(const Eigen::VectorXd& coefficients) {
+ShapeEvidence MakeEvidence(const Eigen::VectorXd& coefficients) {
   const Eigen::VectorXd information = Eigen::VectorXd::LinSpaced(coefficients.size(), 100, 1);
   return {information.asDiagonal(), information.cwiseProduct(coefficients)};
 }
 
-double MedianOfWeighing(const CategoryInstances& instances, const Eigen::MatrixXf& queries) {
+double MeasureWeighing(const CategoryInstances& instances, const Eigen::MatrixXf& queries) {
   std::vector<double> milliseconds;
   for (Eigen::Index i = 0; i < std::min(kQueries, queries.cols()); ++i) {
-    const ShapeEvidence evidence = EvidenceOf(queries.col(i).cast<double>());
+    const ShapeEvidence evidence = MakeEvidence(queries.col(i).cast<double>());
     double ms = 0;
     {
       const StageClock clock(ms);
@@ -64,7 +64,7 @@ double MedianOfWeighing(const CategoryInstances& instances, const Eigen::MatrixX
     }
     if (i >= 2) milliseconds.push_back(ms);
   }
-  return StatisticsOf(std::move(milliseconds)).value().median;
+  return ComputeStatistics(std::move(milliseconds)).value().median;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ LibraryCosts MeasureLibrary(const SyntheticLibrary& synthetic) {
   const fs::path file = fs::temp_directory_path() / fmt::format("armature-bench-{}.armlib", getpid());
   LibraryCosts costs;
   {
-    const InstanceLibrary library = LibraryOf(model, synthetic.features);
+    const InstanceLibrary library = MakeLibrary(model, synthetic.features);
     const StageClock clock(costs.write_ms);
     WriteLibrary(library, file);
   }
@@ -85,7 +85,7 @@ LibraryCosts MeasureLibrary(const SyntheticLibrary& synthetic) {
     library = ReadLibrary(file, {model});
   }
   fs::remove(file);
-  costs.weighed_ms = MedianOfWeighing(library.categories.front(), synthetic.queries);
+  costs.weighed_ms = MeasureWeighing(library.categories.front(), synthetic.queries);
   return costs;
 }
 

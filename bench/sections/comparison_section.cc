@@ -26,10 +26,10 @@ void RaceEngines(const BenchTask& task, BenchSection& section) {
   std::vector<Contender> contenders;
   for (const std::string& name : settings.engines) {
     engines.push_back(MakeEngine(name, parts));
-    contenders.push_back(ContenderOf(name, *engines.back(), sequence));
+    contenders.push_back(MakeContender(name, *engines.back(), sequence));
     contenders.back().after = [](BenchRow& row) { row.outcome.estimates.clear(); };
     if (!engines.back()->IsStateless()) continue;
-    contenders.back().wants = OneOf(
+    contenders.back().wants = PickOne(
         SparseInputs(is_used, sequence.frames.size(), settings.harness.warm_up, settings.baseline_frames));
   }
   RaceCalibrated(contenders, sequence.frames.size(), settings.harness, section);
@@ -53,7 +53,7 @@ void AddNotes(const BenchTask& task, const std::vector<BenchRow>& rows, Table& t
     table.notes.push_back(std::move(note));
   std::vector<std::string> counts;
   for (const std::string& engine : task.settings.engines)
-    counts.push_back(fmt::format("{} {}", engine, DurationsOf(rows, engine, kTotal).size()));
+    counts.push_back(fmt::format("{} {}", engine, CollectDurations(rows, engine, kTotal).size()));
   table.notes.push_back(fmt::format(
       "n, frames with exactly {} objects: {}. All frames are processed by what remembers them; a baseline "
       "takes part only in every so many of these. What follows it there may be slower, for the machine has "
@@ -91,7 +91,8 @@ Table StageTable(const std::vector<BenchRow>& rows, const std::vector<std::strin
   for (const std::string_view span : spans) {
     std::vector<Cell>& row = table.rows.emplace_back();
     row.push_back(TextCell(std::string(span)));
-    for (const std::string& engine : engines) row.push_back(NumberCell(MedianOf(rows, engine, span), 3));
+    for (const std::string& engine : engines)
+      row.push_back(NumberCell(MedianDuration(rows, engine, span), 3));
     row.push_back(PaperLinesCell(span, static_cast<double>(objects)));
     row.push_back(PaperKeypointsCell(span, static_cast<double>(objects)));
   }
@@ -120,7 +121,7 @@ Table RatioTable(const std::vector<BenchRow>& rows, const std::vector<std::strin
   table.columns = {"engine", "n", fmt::format("times {}", ours), "p10", "p90"};
   for (const std::string& engine : engines) {
     if (engine == ours) continue;
-    const auto s = StatisticsOf(PairedRatios(rows, engine, ours));
+    const auto s = ComputeStatistics(PairedRatios(rows, engine, ours));
     if (!s) continue;
     table.rows.push_back({TextCell(engine), CountCell(static_cast<long>(s->n)), NumberCell(s->median, 2),
                           NumberCell(s->p10, 2), NumberCell(s->p90, 2)});
@@ -143,7 +144,7 @@ BenchSection ComparisonSection(const BenchTask& task) {
   std::copy_if(section.rows.begin(), section.rows.end(), std::back_inserter(used), [&](const BenchRow& row) {
     return row.outcome.objects == static_cast<int>(settings.objects);
   });
-  section.spans = SpansOf(section.name, section.sequence, used, settings.engines);
+  section.spans = CollectSpans(section.name, section.sequence, used, settings.engines);
   section.tables = {StageTable(used, settings.engines, settings.objects), StatisticsTable(section.spans),
                     RatioTable(used, settings.engines, settings.objects)};
   AddNotes(task, used, section.tables[0]);

@@ -23,9 +23,9 @@ std::vector<Cell> ChoiceCells(const DetectorChoice& choice) {
   return {TextCell(choice.lines.detector), TextCell(choice.parameters), TextCell(RegionName(choice.lines))};
 }
 
-Contender ContenderOf(const DetectorChoice& choice, LinesEngine& engine, const BenchTask& task,
-                      Findings& findings) {
-  Contender contender = ContenderOf(choice.name, engine, task.sequence);
+Contender MakeContender(const DetectorChoice& choice, LinesEngine& engine, const BenchTask& task,
+                        Findings& findings) {
+  Contender contender = MakeContender(choice.name, engine, task.sequence);
   contender.after = [&](BenchRow& row) {
     if (!task.truth.empty())
       AddFindings(task.truth[row.input], engine.last().segments, row.outcome.estimates, findings);
@@ -43,7 +43,7 @@ void RaceDetectors(const BenchTask& task, const std::vector<DetectorChoice>& cho
     Options options = task.parts.options;
     options.lines = choices[i].lines;
     engines.push_back(std::make_unique<LinesEngine>(options, task.parts.models));
-    contenders.push_back(ContenderOf(choices[i], *engines.back(), task, findings[i]));
+    contenders.push_back(MakeContender(choices[i], *engines.back(), task, findings[i]));
   }
   RaceCalibrated(contenders, task.sequence.frames.size(), task.settings.harness, section);
 }
@@ -53,14 +53,14 @@ std::optional<double> MedianSegments(const std::vector<BenchRow>& rows, const st
   for (const BenchRow& row : rows) {
     if (row.contender == name) segments.push_back(row.outcome.segments);
   }
-  return MiddleOf(segments);
+  return ComputeMedian(segments);
 }
 
 Cell RecallCell(const EdgeRecall& recall) { return PercentCell(recall.covered, recall.visible); }
 
 void AddAccuracy(const Findings& findings, std::vector<Cell>& row) {
   row.push_back(RecallCell(AllRecall(findings)));
-  const auto accuracy = AccuracyOf(findings);
+  const auto accuracy = ComputeAccuracy(findings);
   if (!accuracy) {
     row.insert(row.end(), 4, NoCell());
     return;
@@ -71,7 +71,7 @@ void AddAccuracy(const Findings& findings, std::vector<Cell>& row) {
   row.push_back(NumberCell(100 * accuracy->with_pose, 1));
 }
 
-size_t IndexOfLsd(const std::vector<DetectorChoice>& choices) {
+size_t FindLsd(const std::vector<DetectorChoice>& choices) {
   const auto found = std::find_if(choices.begin(), choices.end(), [](const DetectorChoice& choice) {
     return choice.lines.detector == "lsd" && !choice.lines.published && !choice.lines.boxes_only;
   });
@@ -102,8 +102,8 @@ std::vector<std::string> Notes(const BenchTask& task, const std::string& fastest
 }
 
 // The ways in which a detector can be set, by name. Edgedrawing's tuned ones also as preset `fast` has them.
-std::vector<std::pair<std::string, LineOptions>> ParametersOf(const std::string& detector,
-                                                              LineOptions options) {
+std::vector<std::pair<std::string, LineOptions>> ListParameters(const std::string& detector,
+                                                                LineOptions options) {
   options.detector = detector;
   options.published = false;
   std::vector<std::pair<std::string, LineOptions>> all{{"tuned", options}};
@@ -121,7 +121,7 @@ std::vector<std::pair<std::string, LineOptions>> ParametersOf(const std::string&
 std::vector<DetectorChoice> DetectorChoices(const LineOptions& options) {
   std::vector<DetectorChoice> choices;
   for (const std::string& name : LineDetectorNames()) {
-    for (const auto& [parameters, lines] : ParametersOf(name, options)) {
+    for (const auto& [parameters, lines] : ListParameters(name, options)) {
       for (const bool boxes_only : {false, true}) {
         DetectorChoice& choice = choices.emplace_back();
         choice.parameters = parameters;
@@ -142,13 +142,13 @@ Table DetectorTable(const std::vector<DetectorChoice>& choices, const std::vecto
                    "azimuth [deg]", "within 15 deg [%]", "translation [%]", "with pose [%]"};
   for (size_t i = 0; i < choices.size(); ++i) {
     const std::string& name = choices[i].name;
-    const auto lines = StatisticsOf(DurationsOf(rows, name, kBenchStageNames[0]));
+    const auto lines = ComputeStatistics(CollectDurations(rows, name, kBenchStageNames[0]));
     std::vector<Cell>& row = table.rows.emplace_back(ChoiceCells(choices[i]));
     row.push_back(lines ? NumberCell(lines->median, 2) : NoCell());
     row.push_back(lines ? NumberCell(lines->p90, 2) : NoCell());
-    row.push_back(NumberCell(MedianOf(rows, name, kOnTop), 2));
-    row.push_back(NumberCell(MedianOf(rows, name, kTotal), 2));
-    row.push_back(NumberCell(MiddleOf(DurationsAnObject(rows, name, kProcessing)), 3));
+    row.push_back(NumberCell(MedianDuration(rows, name, kOnTop), 2));
+    row.push_back(NumberCell(MedianDuration(rows, name, kTotal), 2));
+    row.push_back(NumberCell(ComputeMedian(DurationsAnObject(rows, name, kProcessing)), 3));
     row.push_back(NumberCell(MedianSegments(rows, name), 0));
     AddAccuracy(findings[i], row);
   }
@@ -183,12 +183,12 @@ Table RecallTable(const std::vector<DetectorChoice>& choices, const std::vector<
 
 int FastestAsAccurateAsLsd(const std::vector<DetectorChoice>& choices, const std::vector<BenchRow>& rows,
                            const std::vector<Findings>& findings) {
-  const auto reference = AccuracyOf(findings[IndexOfLsd(choices)]);
+  const auto reference = ComputeAccuracy(findings[FindLsd(choices)]);
   int fastest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < choices.size() && reference; ++i) {
-    const auto accuracy = AccuracyOf(findings[i]);
-    const auto total = MedianOf(rows, choices[i].name, kTotal);
+    const auto accuracy = ComputeAccuracy(findings[i]);
+    const auto total = MedianDuration(rows, choices[i].name, kTotal);
     if (!accuracy || !total || *total >= least || !IsAsAccurate(*accuracy, *reference, kAccuracyMargin))
       continue;
     least = *total;
@@ -204,7 +204,7 @@ BenchSection DetectorsSection(const BenchTask& task) {
   RaceDetectors(task, choices, findings, section);
   std::vector<std::string> names;
   for (const DetectorChoice& choice : choices) names.push_back(choice.name);
-  section.spans = SpansOf(section.name, section.sequence, section.rows, names);
+  section.spans = CollectSpans(section.name, section.sequence, section.rows, names);
   section.tables = {DetectorTable(choices, section.rows, findings)};
   const int fastest = FastestAsAccurateAsLsd(choices, section.rows, findings);
   section.tables[0].notes = Notes(task, fastest < 0 ? "" : names[static_cast<size_t>(fastest)]);

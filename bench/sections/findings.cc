@@ -36,7 +36,7 @@ EdgeRecall AllRecall(const Findings& findings) {
   return all;
 }
 
-std::optional<Accuracy> AccuracyOf(const Findings& findings) {
+std::optional<Accuracy> ComputeAccuracy(const Findings& findings) {
   if (findings.errors.empty()) return std::nullopt;
   const ObservationSummary summary = Summarise(findings.errors);
   const double with_pose = static_cast<double>(summary.count) / findings.detections;

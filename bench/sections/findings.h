@@ -37,7 +37,7 @@ struct Accuracy {
   double within_15_deg = 0, with_pose = 0;
 };
 // None without any pose of a true object.
-std::optional<Accuracy> AccuracyOf(const Findings& findings);
+std::optional<Accuracy> ComputeAccuracy(const Findings& findings);
 
 // Whether errors are at most `margin` (a share) larger, and shares at most as much smaller.
 bool IsAsAccurate(const Accuracy& one, const Accuracy& reference, double margin);

@@ -16,11 +16,11 @@ bool HasTruth(const std::filesystem::path& folder) {
   return true;
 }
 
-FrameTruth TruthOf(const FrameInput& frame, const GroundTruth& truth, const TrueScene& scene) {
+FrameTruth FindTruth(const FrameInput& frame, const GroundTruth& truth, const TrueScene& scene) {
   FrameTruth detections(frame.detections.size());
-  const auto camera = IndexOfStamp(truth.T_world_camera, frame.timestamp);
+  const auto camera = FindStamp(truth.T_world_camera, frame.timestamp);
   for (size_t i = 0; i < detections.size() && camera; ++i) {
-    const TrueObject* object = truth.ObjectOf(frame.timestamp, static_cast<int>(i));
+    const TrueObject* object = truth.FindObject(frame.timestamp, static_cast<int>(i));
     if (!object) continue;
     const TimedPose& T_world_camera = truth.T_world_camera[*camera];
     const auto index = static_cast<size_t>(object - truth.objects.data());
@@ -36,12 +36,12 @@ FrameTruth TruthOf(const FrameInput& frame, const GroundTruth& truth, const True
 std::vector<FrameTruth> LoadFrameTruth(const std::filesystem::path& folder, const BenchSequence& sequence,
                                        const std::vector<CategoryModel>& models, const CadLibrary& cad) {
   if (!HasTruth(folder)) return {};
-  const SequenceTruth truth = LoadSequenceTruth(folder, SpecsOf(models));
+  const SequenceTruth truth = LoadSequenceTruth(folder, CollectSpecs(models));
   const TrueScene scene(truth, models, cad);
   std::vector<FrameTruth> frames;
   for (const BenchFrame& frame : sequence.frames) {
     ThrowIfInterrupted();
-    frames.push_back(TruthOf(frame.input, truth.truth, scene));
+    frames.push_back(FindTruth(frame.input, truth.truth, scene));
   }
   return frames;
 }

@@ -20,11 +20,11 @@ std::vector<double> PairwiseSlopes(const std::vector<FitPoint>& points) {
 }  // namespace
 
 std::optional<LineFit> FitLine(const std::vector<FitPoint>& points) {
-  const auto slopes = StatisticsOf(PairwiseSlopes(points));
+  const auto slopes = ComputeStatistics(PairwiseSlopes(points));
   if (!slopes) return std::nullopt;
   std::vector<double> remainders;
   for (const FitPoint& point : points) remainders.push_back(point.y - slopes->median * point.x);
-  return LineFit{StatisticsOf(remainders)->median, slopes->median};
+  return LineFit{ComputeStatistics(remainders)->median, slopes->median};
 }
 
 std::optional<double> Crossing(const LineFit& a, const LineFit& b) {

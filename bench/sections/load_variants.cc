@@ -62,8 +62,8 @@ std::string LoadName(Load load) {
   std::abort();
 }
 
-std::vector<LoadVariant> VariantsOf(Load load, const BenchSequence& sequence, const EngineParts& parts,
-                                    std::deque<BenchSequence>& resized) {
+std::vector<LoadVariant> MakeVariants(Load load, const BenchSequence& sequence, const EngineParts& parts,
+                                      std::deque<BenchSequence>& resized) {
   const LoadVariant unchanged{load, "", parts.options, parts.models, &sequence};
   std::vector<LoadVariant> variants;
   if (load == Load::kHypotheses) {

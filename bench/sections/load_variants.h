@@ -28,7 +28,7 @@ std::string LoadName(Load load);
 
 // All variants of a load, from the least to the most. `resized` takes the sequences that they need besides
 // the given one; both have to outlive them.
-std::vector<LoadVariant> VariantsOf(Load load, const BenchSequence& sequence, const EngineParts& parts,
-                                    std::deque<BenchSequence>& resized);
+std::vector<LoadVariant> MakeVariants(Load load, const BenchSequence& sequence, const EngineParts& parts,
+                                      std::deque<BenchSequence>& resized);
 
 }  // namespace armature

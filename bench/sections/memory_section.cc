@@ -11,7 +11,7 @@
 namespace armature {
 namespace {
 
-size_t FramesOf(const Sequence& sequence, size_t limit) {
+size_t CountFrames(const Sequence& sequence, size_t limit) {
   const auto first = std::find_if(sequence.detections.begin(), sequence.detections.end(),
                                   [](const auto& detections) { return !detections.empty(); });
   const size_t to_first = static_cast<size_t>(first - sequence.detections.begin()) + 1;
@@ -60,10 +60,10 @@ Table MemoryTable(const std::vector<NamedMemory>& processes) {
 
 BenchSection MemorySection(const Sequence& sequence, size_t limit, const EngineParts& parts,
                            const BenchSettings& settings) {
-  const size_t frames = FramesOf(sequence, limit);
+  const size_t frames = CountFrames(sequence, limit);
   std::vector<NamedMemory> processes;
   const auto measure = [&](const std::string& row, const std::string& engine) {
-    processes.push_back({row, PeakMemoryOf([&] {
+    processes.push_back({row, MeasurePeakMemory([&] {
                            cv::setNumThreads(settings.threads);
                            const BenchSequence loaded = LoadBenchSequence(sequence, frames);
                            if (!engine.empty()) ProcessAll(engine, loaded, parts);

@@ -56,7 +56,7 @@ void AddRemembering(const BenchTask& task, const std::string& name, Entrants& en
   for (size_t i = 0; i < kCounts.size(); ++i) {
     const BenchSequence& sequence = entrants.filled[i].sequence;
     Engine& engine = *entrants.engines.emplace_back(MakeEngine(name, task.parts));
-    Contender contender = ContenderOf(EntrantName(name, kCounts[i]), engine, sequence);
+    Contender contender = MakeContender(EntrantName(name, kCounts[i]), engine, sequence);
     contender.wants = HasObjects(task.sequence);
     AddContender(std::move(contender), entrants);
   }
@@ -77,14 +77,14 @@ void AddBaseline(const BenchTask& task, const std::string& name, Entrants& entra
       frame_of_input[input] = few.frames.size();
       few.frames.push_back(entrants.filled[i].sequence.frames[input]);
     }
-    Contender contender = ContenderOf(EntrantName(name, kCounts[i]), engine, few);
+    Contender contender = MakeContender(EntrantName(name, kCounts[i]), engine, few);
     if (i > 0) contender.start = {};  // the first one starts it for all
     contender.run = [&engine, &few, frame_of_input](size_t input) {
       return engine.Process(few.frames[frame_of_input.at(input)]);
     };
     // The largest count warms up the network for all.
     const bool warms_up = i + 1 == kCounts.size();
-    contender.wants = OneOf({warms_up ? inputs.begin() : first_counted, inputs.end()});
+    contender.wants = PickOne({warms_up ? inputs.begin() : first_counted, inputs.end()});
     AddContender(std::move(contender), entrants);
   }
 }
@@ -97,11 +97,11 @@ Entrants MakeEntrants(const BenchTask& task) {
   return entrants;
 }
 
-BenchSeries SeriesOf(const std::string& engine, const std::vector<BenchRow>& rows) {
+BenchSeries MakeSeries(const std::string& engine, const std::vector<BenchRow>& rows) {
   BenchSeries series{.contender = engine, .x_label = "objects in the frame", .y_label = "total [ms]"};
   std::vector<FitPoint> medians;
   for (const size_t count : kCounts) {
-    const auto statistics = StatisticsOf(DurationsOf(rows, EntrantName(engine, count), kTotal));
+    const auto statistics = ComputeStatistics(CollectDurations(rows, EntrantName(engine, count), kTotal));
     if (!statistics) continue;
     series.points.push_back({static_cast<double>(count), *statistics});
     medians.push_back({static_cast<double>(count), statistics->median});
@@ -198,8 +198,9 @@ BenchSection ObjectsSection(const BenchTask& task) {
   RaceCalibrated(entrants.contenders, task.sequence.frames.size(), settings.harness, section);
   std::vector<std::string> names;
   for (const Contender& contender : entrants.contenders) names.push_back(contender.name);
-  section.spans = SpansOf(section.name, section.sequence, section.rows, names);
-  for (const std::string& engine : settings.engines) section.series.push_back(SeriesOf(engine, section.rows));
+  section.spans = CollectSpans(section.name, section.sequence, section.rows, names);
+  for (const std::string& engine : settings.engines)
+    section.series.push_back(MakeSeries(engine, section.rows));
   section.tables = {CountTable(section.series, entrants.filled), ObjectFitTable(section.series)};
   AddNotes(task, section.tables);
   section.tables[0].title = fmt::format("{}: time against the number of objects", task.sequence.name);

@@ -32,7 +32,7 @@ struct FoundLines {
 
 PacedRun RunPaced(const BenchTask& task, const std::string& engine, bool pipelined) {
   const std::vector<BenchFrame>& frames = task.sequence.frames;
-  const auto pipeline = MakePipeline(OptionsOf(engine, task.parts), task.parts.models, task.sequence);
+  const auto pipeline = MakePipeline(MakeOptions(engine, task.parts), task.parts.models, task.sequence);
   const std::function<FoundLines(size_t)> find = [&](size_t i) {
     const Clock::time_point begun = Clock::now();
     return FoundLines{begun, pipeline->DetectLines(frames[i].gray, frames[i].input.detections)};
@@ -71,7 +71,7 @@ struct ModeSummary {
   std::vector<double> latency_ms, frames_per_second;
 };
 
-ModeSummary SummaryOf(const std::vector<PacedRun>& runs, const std::string& engine, bool pipelined) {
+ModeSummary MakeSummary(const std::vector<PacedRun>& runs, const std::string& engine, bool pipelined) {
   ModeSummary summary;
   for (const PacedRun& run : runs) {
     if (run.engine != engine || run.pipelined != pipelined) continue;
@@ -81,7 +81,7 @@ ModeSummary SummaryOf(const std::vector<PacedRun>& runs, const std::string& engi
   return summary;
 }
 
-std::vector<BenchRow> RowsOf(const std::vector<PacedRun>& runs, size_t warm_up) {
+std::vector<BenchRow> CollectRows(const std::vector<PacedRun>& runs, size_t warm_up) {
   std::vector<BenchRow> rows;
   std::map<std::string, size_t> repetitions;
   for (const PacedRun& run : runs) {
@@ -107,11 +107,12 @@ Table PipelinedTable(const std::vector<PacedRun>& runs) {
     const bool is_known = std::any_of(table.rows.begin(), table.rows.end(),
                                       [&](const auto& row) { return row[0].text == first.engine; });
     if (is_known) continue;
-    const std::optional<double> single = MiddleOf(SummaryOf(runs, first.engine, false).frames_per_second);
+    const std::optional<double> single =
+        ComputeMedian(MakeSummary(runs, first.engine, false).frames_per_second);
     for (const bool pipelined : {false, true}) {
-      const ModeSummary mode = SummaryOf(runs, first.engine, pipelined);
-      const auto latency = StatisticsOf(mode.latency_ms);
-      const std::optional<double> pace = MiddleOf(mode.frames_per_second);
+      const ModeSummary mode = MakeSummary(runs, first.engine, pipelined);
+      const auto latency = ComputeStatistics(mode.latency_ms);
+      const std::optional<double> pace = ComputeMedian(mode.frames_per_second);
       if (!latency || !pace || !single) continue;
       table.rows.push_back({TextCell(first.engine), CountCell(pipelined ? 2 : 1),
                             CountCell(static_cast<long>(latency->n)), NumberCell(latency->median, 2),
@@ -135,7 +136,7 @@ BenchSection PipelinedSection(const BenchTask& task) {
   BenchSection section{.name = kPipelinedTable, .sequence = task.sequence.name};
   section.frames = frames - warm_up;
   section.warmed_up = warm_up;
-  section.rows = RowsOf(runs, warm_up);
+  section.rows = CollectRows(runs, warm_up);
   section.tables = {PipelinedTable(runs)};
   section.tables.front().title =
       fmt::format("{}: one thread against two, {} frames", task.sequence.name, section.frames);

@@ -48,12 +48,12 @@ std::vector<IndexMethod> MethodsNamed(const std::string& name) {
   return methods;
 }
 
-size_t QueriesOf(const IndexMethod& method, const RetrievalTask& task) {
+size_t CountQueries(const IndexMethod& method, const RetrievalTask& task) {
   if (method.name != ExactScan().name) return task.truth.size();
   return std::min(task.truth.size(), std::max(2 * kRetrievalWarmUp, kScanned / task.instances()));
 }
 
-BenchSeries& CurveOf(const std::string& contender, BenchSection& section) {
+BenchSeries& FindCurve(const std::string& contender, BenchSection& section) {
   for (BenchSeries& series : section.series) {
     if (series.contender == contender) return series;
   }
@@ -88,14 +88,14 @@ void MeasureMethod(const IndexMethod& method, const RetrievalTask& task, SavedSt
   Answers answers;
   std::vector<double> milliseconds;
   const InstanceIndex index = structure.Load(method);
-  for (BenchRow& row : RaceQueries(index, task.library.queries, QueriesOf(method, task), sized, answers)) {
+  for (BenchRow& row : RaceQueries(index, task.library.queries, CountQueries(method, task), sized, answers)) {
     milliseconds.push_back(row.wall_ms);
     section.rows.push_back(std::move(row));
   }
-  const SpanStatistics query = StatisticsOf(std::move(milliseconds)).value();
+  const SpanStatistics query = ComputeStatistics(std::move(milliseconds)).value();
   section.spans.push_back({section.name, "", sized, "query", query});
   const double recall = Recall(answers, task.truth);
-  BenchSeries& curve = CurveOf(contender, section);
+  BenchSeries& curve = FindCurve(contender, section);
   curve.points.push_back({static_cast<double>(task.instances()), query});
   curve.remark = fmt::format(" ({:.3f})", recall);
   section.tables[0].rows.push_back(IndexRow(task.instances(), contender, structure.costs(), recall, query));
@@ -110,7 +110,7 @@ void MeasureSize(size_t instances, size_t queries, BenchSection& section) {
   RetrievalTask task{
       MakeSyntheticLibrary(static_cast<Eigen::Index>(instances), static_cast<Eigen::Index>(queries)), {}};
   section.tables[1].rows.push_back(LibraryRow(instances, MeasureLibrary(task.library)));
-  task.truth = AnswersOf(InstanceIndex(task.library.features, ExactScan()), task.library.queries);
+  task.truth = CollectAnswers(InstanceIndex(task.library.features, ExactScan()), task.library.queries);
   for (const std::string& name : IndexMethodNames()) {
     const std::vector<IndexMethod> methods = MethodsNamed(name);
     SavedStructure structure(task.library.features, methods.front());

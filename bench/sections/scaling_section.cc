@@ -24,8 +24,8 @@ struct Entrant {
   std::vector<double> hypotheses, segments;  // a frame with objects, means over its objects
 };
 
-Contender ContenderOf(Entrant& entrant) {
-  Contender contender = ContenderOf(entrant.variant.name(), entrant.engine, *entrant.variant.sequence);
+Contender MakeContender(Entrant& entrant) {
+  Contender contender = MakeContender(entrant.variant.name(), entrant.engine, *entrant.variant.sequence);
   contender.after = [&entrant](BenchRow& row) {
     row.outcome.estimates.clear();
     if (row.outcome.objects == 0) return;
@@ -38,9 +38,9 @@ Contender ContenderOf(Entrant& entrant) {
 }
 
 // What was varied, as a number.
-std::optional<double> AmountOf(const Entrant& entrant) {
-  if (entrant.variant.load == Load::kHypotheses) return MiddleOf(entrant.hypotheses);
-  if (entrant.variant.load == Load::kSegments) return MiddleOf(entrant.segments);
+std::optional<double> CountAmount(const Entrant& entrant) {
+  if (entrant.variant.load == Load::kHypotheses) return ComputeMedian(entrant.hypotheses);
+  if (entrant.variant.load == Load::kSegments) return ComputeMedian(entrant.segments);
   const Camera& camera = entrant.variant.sequence->camera;
   return 1e-6 * camera.width * camera.height;
 }
@@ -51,8 +51,8 @@ const char* AmountLabel(Load load) {
 }
 
 // What grows with the load: association an object, or the detection in the image.
-BenchSeries SeriesOf(Load load, const std::vector<const Entrant*>& entrants,
-                     const std::vector<BenchRow>& rows) {
+BenchSeries MakeSeries(Load load, const std::vector<const Entrant*>& entrants,
+                       const std::vector<BenchRow>& rows) {
   const bool is_size = load == Load::kImageSize;
   BenchSeries series{.contender = LoadName(load),
                      .x_label = AmountLabel(load),
@@ -60,9 +60,9 @@ BenchSeries SeriesOf(Load load, const std::vector<const Entrant*>& entrants,
   std::vector<FitPoint> medians;
   for (const Entrant* entrant : entrants) {
     const std::string name = entrant->variant.name();
-    const auto amount = AmountOf(*entrant);
-    const auto statistics = StatisticsOf(is_size ? DurationsOf(rows, name, kBenchStageNames[0])
-                                                 : DurationsAnObject(rows, name, kBenchStageNames[1]));
+    const auto amount = CountAmount(*entrant);
+    const auto statistics = ComputeStatistics(is_size ? CollectDurations(rows, name, kBenchStageNames[0])
+                                                      : DurationsAnObject(rows, name, kBenchStageNames[1]));
     if (!amount || !statistics) continue;
     series.points.push_back({*amount, *statistics});
     medians.push_back({*amount, statistics->median});
@@ -86,14 +86,14 @@ Table LoadTable(Load load, const std::vector<const Entrant*>& entrants, const st
                    "total [ms]"};
   for (const Entrant* entrant : entrants) {
     const std::string name = entrant->variant.name();
-    const auto amount = is_size ? AmountOf(*entrant) : MiddleOf(entrant->hypotheses);
+    const auto amount = is_size ? CountAmount(*entrant) : ComputeMedian(entrant->hypotheses);
     table.rows.push_back({TextCell(entrant->variant.setting), NumberCell(amount, is_size ? 3 : 0),
-                          NumberCell(MiddleOf(entrant->segments), 0),
-                          CountCell(static_cast<long>(DurationsOf(rows, name, kTotal).size())),
-                          NumberCell(MedianOf(rows, name, kBenchStageNames[0]), 3),
-                          NumberCell(MiddleOf(DurationsAnObject(rows, name, kBenchStageNames[1])), 3),
-                          NumberCell(MiddleOf(DurationsAnObject(rows, name, kBenchStageNames[2])), 3),
-                          NumberCell(MedianOf(rows, name, kTotal), 3)});
+                          NumberCell(ComputeMedian(entrant->segments), 0),
+                          CountCell(static_cast<long>(CollectDurations(rows, name, kTotal).size())),
+                          NumberCell(MedianDuration(rows, name, kBenchStageNames[0]), 3),
+                          NumberCell(ComputeMedian(DurationsAnObject(rows, name, kBenchStageNames[1])), 3),
+                          NumberCell(ComputeMedian(DurationsAnObject(rows, name, kBenchStageNames[2])), 3),
+                          NumberCell(MedianDuration(rows, name, kTotal), 3)});
   }
   return table;
 }
@@ -120,7 +120,7 @@ void AddLoad(Load load, const BenchTask& task, const std::deque<Entrant>& all, B
   for (const Entrant& entrant : all) {
     if (entrant.variant.load == load) entrants.push_back(&entrant);
   }
-  section.series.push_back(SeriesOf(load, entrants, section.rows));
+  section.series.push_back(MakeSeries(load, entrants, section.rows));
   Table& table = section.tables.emplace_back(LoadTable(load, entrants, section.rows));
   table.title = fmt::format("{}: time against {}", task.sequence.name, LoadName(load));
   table.notes = Notes(task, section, section.series.back());
@@ -140,15 +140,15 @@ BenchSection ScalingSection(const BenchTask& task) {
   std::vector<std::string> names;
   constexpr std::array kLoads{Load::kHypotheses, Load::kSegments, Load::kImageSize};
   for (const Load load : kLoads) {
-    for (LoadVariant& variant : VariantsOf(load, sequence, task.parts, resized)) {
+    for (LoadVariant& variant : MakeVariants(load, sequence, task.parts, resized)) {
       LinesEngine engine(variant.options, variant.models);
       entrants.push_back({std::move(variant), std::move(engine), {}, {}});
-      contenders.push_back(ContenderOf(entrants.back()));
+      contenders.push_back(MakeContender(entrants.back()));
       names.push_back(contenders.back().name);
     }
   }
   RaceCalibrated(contenders, sequence.frames.size(), task.settings.harness, section);
-  section.spans = SpansOf(section.name, section.sequence, section.rows, names);
+  section.spans = CollectSpans(section.name, section.sequence, section.rows, names);
   for (const Load load : kLoads) AddLoad(load, task, entrants, section);
   return section;
 }

@@ -19,7 +19,7 @@ std::vector<size_t> SparseInputs(const std::function<bool(size_t input)>& is_use
   return sparse;
 }
 
-std::function<bool(size_t input)> OneOf(std::vector<size_t> inputs) {
+std::function<bool(size_t input)> PickOne(std::vector<size_t> inputs) {
   return [inputs = std::move(inputs)](size_t input) {
     return std::binary_search(inputs.begin(), inputs.end(), input);
   };

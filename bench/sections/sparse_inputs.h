@@ -18,6 +18,6 @@ std::vector<size_t> SparseInputs(const std::function<bool(size_t input)>& is_use
                                  size_t warm_up, size_t count);
 
 // Whether an input is one of those: what a contender wants.
-std::function<bool(size_t input)> OneOf(std::vector<size_t> inputs);
+std::function<bool(size_t input)> PickOne(std::vector<size_t> inputs);
 
 }  // namespace armature

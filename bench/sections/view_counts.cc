@@ -10,8 +10,8 @@
 namespace armature {
 namespace {
 
-ObjectView ViewOf(const Detection& detection, const FrameResult& frame, const Camera& camera,
-                  const CategoryModel& model, const Options& options) {
+ObjectView MakeView(const Detection& detection, const FrameResult& frame, const Camera& camera,
+                    const CategoryModel& model, const Options& options) {
   ObjectView view;
   view.camera = &camera;
   view.model = &model;
@@ -48,7 +48,7 @@ ViewCounts CountViews(const FrameResult& frame, const Camera& camera,
   const double share = 1.0 / static_cast<double>(frame.observations.size());
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const Detection& detection = frame.observations[i].detection;
-    ObjectView view = ViewOf(detection, frame, camera, ModelOf(models, detection.category), options);
+    ObjectView view = MakeView(detection, frame, camera, LookUpModel(models, detection.category), options);
     view.hidden_probability =
         HiddenProbabilities(detection.box, OtherBoxes(frame, i), options.association.box);
     counts.hypotheses += share * static_cast<double>(CountHypotheses(view, options.association));

@@ -96,17 +96,17 @@ Wireframe ChairWireframe(const ChairParameters& p) {
   };
   const auto rear_foot = [&](double side) { return at(side, p.rear_feet, 0, -p.rear_rake); };
   const auto front_foot = [&](double side) { return at(side, p.front_feet, 0, p.seat_depth + p.front_rake); };
-  return WireframeOf({{top(-1), top(1)},
-                      {top(-1), rear(-1)},
-                      {top(1), rear(1)},
-                      {rear(-1), rear(1)},
-                      {front(-1), front(1)},
-                      {rear(-1), front(-1)},
-                      {rear(1), front(1)},
-                      {front(-1), front_foot(-1)},
-                      {rear(-1), rear_foot(-1)},
-                      {rear(1), rear_foot(1)},
-                      {front(1), front_foot(1)}});
+  return MakeWireframe({{top(-1), top(1)},
+                        {top(-1), rear(-1)},
+                        {top(1), rear(1)},
+                        {rear(-1), rear(1)},
+                        {front(-1), front(1)},
+                        {rear(-1), front(-1)},
+                        {rear(1), front(1)},
+                        {front(-1), front_foot(-1)},
+                        {rear(-1), rear_foot(-1)},
+                        {rear(1), rear_foot(1)},
+                        {front(1), front_foot(1)}});
 }
 
 std::vector<std::string> ChairEdgeNames() {

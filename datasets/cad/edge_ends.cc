@@ -3,7 +3,7 @@
 
 namespace armature {
 
-Wireframe WireframeOf(const std::vector<EdgeEnds>& edges) {
+Wireframe MakeWireframe(const std::vector<EdgeEnds>& edges) {
   const auto count = static_cast<Eigen::Index>(edges.size());
   Wireframe wireframe{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -13,7 +13,7 @@ struct EdgeEnds {
 };
 
 // In the frame of the ends; not centred.
-Wireframe WireframeOf(const std::vector<EdgeEnds>& edges);
+Wireframe MakeWireframe(const std::vector<EdgeEnds>& edges);
 
 // The wireframe moved.
 Wireframe Shifted(const Wireframe& wireframe, const Eigen::Vector3d& shift);

@@ -35,13 +35,13 @@ Wireframe LaptopWireframe(const LaptopParameters& p) {
   const double top_y = p.lid_height * std::sin(angle), top_z = p.lid_height * std::cos(angle);
   const Eigen::Vector3d top_left(-x, top_y, top_z), top_right(x, top_y, top_z), hinge_left(-x, 0, 0),
       hinge_right(x, 0, 0), front_left(-x, 0, p.depth), front_right(x, 0, p.depth);
-  return WireframeOf({{top_left, top_right},
-                      {top_left, hinge_left},
-                      {hinge_left, hinge_right},
-                      {top_right, hinge_right},
-                      {hinge_left, front_left},
-                      {front_left, front_right},
-                      {hinge_right, front_right}});
+  return MakeWireframe({{top_left, top_right},
+                        {top_left, hinge_left},
+                        {hinge_left, hinge_right},
+                        {top_right, hinge_right},
+                        {hinge_left, front_left},
+                        {front_left, front_right},
+                        {hinge_right, front_right}});
 }
 
 std::vector<std::string> LaptopEdgeNames() {

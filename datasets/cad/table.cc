@@ -77,14 +77,14 @@ Wireframe TableWireframe(const TableParameters& p) {
     return {{side_x * top_x, p.height - p.leg_start, side_z * top_z},
             {side_x * (top_x + p.splay), 0, side_z * (top_z + p.splay)}};
   };
-  return WireframeOf({{rear_left, rear_right},
-                      {rear_right, front_right},
-                      {front_left, front_right},
-                      {rear_left, front_left},
-                      leg(-1, -1),
-                      leg(1, -1),
-                      leg(1, 1),
-                      leg(-1, 1)});
+  return MakeWireframe({{rear_left, rear_right},
+                        {rear_right, front_right},
+                        {front_left, front_right},
+                        {rear_left, front_left},
+                        leg(-1, -1),
+                        leg(1, -1),
+                        leg(1, 1),
+                        leg(-1, 1)});
 }
 
 std::vector<std::string> TableEdgeNames() {

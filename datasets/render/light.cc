@@ -72,7 +72,7 @@ class LightComputation {
       const SurfaceQuad& quad = surfaces_.quads[q];
       LightGrid& grid = (*grids)[q];
       for (int column = 0; column < grid.columns; ++column) {
-        const GridPoint at{PointOf(grid, quad, column, row) + kLift * quad.normal, quad.normal,
+        const GridPoint at{MakePoint(grid, quad, column, row) + kLift * quad.normal, quad.normal,
                            Hash(static_cast<int>(q), column, row, 0)};
         const size_t index = grid.Index(column, row);
         grid.light[index] = light_at(at, grid.light[index], &grid.hidden[index]);
@@ -126,7 +126,7 @@ class LightComputation {
     size_t backs = 0;
     for (size_t i = 0; i < hits.size(); ++i) {
       if (hits[i].mesh < 0) continue;
-      const auto q = static_cast<size_t>(surfaces_.QuadOf(hits[i]));
+      const auto q = static_cast<size_t>(surfaces_.GetQuad(hits[i]));
       const bool is_back = surfaces_.quads[q].normal.dot(directions[i]) > 0;
       backs += is_back ? 1 : 0;
       if (is_back) continue;
@@ -163,7 +163,7 @@ class LightComputation {
     return {std::move(direct_), std::move(lamps), gain * reflected_sum / area};
   }
 
-  const Rgb& MeanColour(size_t quad) const { return surfaces_.PartOf(surfaces_.quads[quad]).paint.mean; }
+  const Rgb& MeanColour(size_t quad) const { return surfaces_.GetPart(surfaces_.quads[quad]).paint.mean; }
 
   const RayScene& rays_;
   const Surfaces& surfaces_;

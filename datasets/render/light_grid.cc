@@ -84,7 +84,7 @@ void LightGrid::Smooth() {
   if (rows > 3) pass(rows, columns, width, 1);
 }
 
-Eigen::Vector3d PointOf(const LightGrid& grid, const SurfaceQuad& quad, int column, int row) {
+Eigen::Vector3d MakePoint(const LightGrid& grid, const SurfaceQuad& quad, int column, int row) {
   return quad.At(Coordinate(column, grid.columns, quad.Width()), Coordinate(row, grid.rows, quad.Height()));
 }
 

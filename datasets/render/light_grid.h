@@ -35,6 +35,6 @@ struct LightGrid {
 };
 
 // Where a grid's point is: points of the rim are a little inside of the quad, as a neighbour may touch it.
-Eigen::Vector3d PointOf(const LightGrid& grid, const SurfaceQuad& quad, int column, int row);
+Eigen::Vector3d MakePoint(const LightGrid& grid, const SurfaceQuad& quad, int column, int row);
 
 }  // namespace armature

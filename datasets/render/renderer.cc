@@ -46,8 +46,8 @@ struct Renderer::Implementation {
     const RayHit hit = rays.Nearest(origin, mirrored);
     Rgb seen = light.mean;
     if (hit.mesh >= 0) {
-      const auto met = static_cast<size_t>(surfaces.QuadOf(hit));
-      const Rgb there = surfaces.PartOf(surfaces.quads[met]).paint.mean * light.grids[met].At(hit.u, hit.v);
+      const auto met = static_cast<size_t>(surfaces.GetQuad(hit));
+      const Rgb there = surfaces.GetPart(surfaces.quads[met]).paint.mean * light.grids[met].At(hit.u, hit.v);
       const double sharpness = std::exp(-kFocus * (1 - gloss) * hit.distance);
       seen = Mix(light.mean, there, static_cast<float>(sharpness));
     }
@@ -57,13 +57,13 @@ struct Renderer::Implementation {
 
   Rgb Surface(const SurfaceQuad& quad, const RayHit& hit, const Vector3d& point, const Vector3d& direction,
               const View& view) const {
-    const SurfacePart& part = surfaces.PartOf(quad);
+    const SurfacePart& part = surfaces.GetPart(quad);
     const double cosine = std::max(0.02, std::abs(quad.normal.dot(direction)));
     const auto footprint = static_cast<float>(view.footprint_at_one * hit.distance / std::sqrt(cosine));
     const Rgb colour =
         ColourAt(part.paint, part.T_part_world * point.cast<float>(), quad.normal_part, footprint);
     if (part.paint.texture == Texture::kScreen) return kScreenBrightness * colour;
-    return colour * light.grids[static_cast<size_t>(surfaces.QuadOf(hit))].At(hit.u, hit.v);
+    return colour * light.grids[static_cast<size_t>(surfaces.GetQuad(hit))].At(hit.u, hit.v);
   }
 
   // The mean of a pixel's rays. Reflections are the same for all rays that meet the same part.
@@ -74,10 +74,10 @@ struct Renderer::Implementation {
       const RayHit& hit = hits[i];
       sum += light.lamps.SeenAlong(view.origin, directions[i], Reach(hit), 0);
       if (hit.mesh < 0) continue;
-      const SurfaceQuad& quad = surfaces.quads[static_cast<size_t>(surfaces.QuadOf(hit))];
+      const SurfaceQuad& quad = surfaces.quads[static_cast<size_t>(surfaces.GetQuad(hit))];
       const Vector3d point = view.origin + hit.distance * directions[i];
       sum += Surface(quad, hit, point, directions[i], view);
-      const float gloss = surfaces.PartOf(quad).paint.gloss;
+      const float gloss = surfaces.GetPart(quad).paint.gloss;
       if (gloss <= 0) continue;
       if (mirror != quad.part) mirrored = Mirrored(quad, gloss, point, directions[i]);
       mirror = quad.part;

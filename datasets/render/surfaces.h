@@ -34,10 +34,10 @@ struct Surfaces {
   std::vector<SurfaceQuad> quads;
   std::vector<std::vector<int>> first_quad;  // of a mesh's part
 
-  int QuadOf(const RayHit& hit) const {
+  int GetQuad(const RayHit& hit) const {
     return first_quad[static_cast<size_t>(hit.mesh)][static_cast<size_t>(hit.part)] + hit.quad;
   }
-  const SurfacePart& PartOf(const SurfaceQuad& quad) const { return parts[static_cast<size_t>(quad.part)]; }
+  const SurfacePart& GetPart(const SurfaceQuad& quad) const { return parts[static_cast<size_t>(quad.part)]; }
 };
 
 Surfaces ListSurfaces(const std::vector<PlacedMesh>& meshes);

@@ -61,7 +61,7 @@ Rgb Draw(const Paint& paint, const TexturePoint& at) {
 
 // Over places spread evenly (the R2 sequence) around the origin of the part's frame: over a single painting
 // or screen, but over many boards, as each has a shade of its own.
-Rgb MeanOfPlaces(const Paint& paint) {
+Rgb AverageOverPlaces(const Paint& paint) {
   constexpr int kPlaces = 400;
   const float size = (paint.texture == Texture::kBoards ? 30 : 4) * std::max(paint.scale, 0.05f);
   Rgb sum(0, 0, 0);
@@ -88,7 +88,7 @@ Paint::Paint(const Material& material)
       scale(static_cast<float>(material.scale)),
       gloss(static_cast<float>(material.gloss)),
       seed(Mixed(material.seed + 1)) {
-  mean = MeanOfPlaces(*this);
+  mean = AverageOverPlaces(*this);
 }
 
 Rgb ColourAt(const Paint& paint, const Vector3f& point, const Vector3f& normal, float footprint) {

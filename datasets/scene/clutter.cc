@@ -88,7 +88,7 @@ Mesh Sheets(const Vector3d& size, const Colour& colour, Random& random) {
   return {{Layer(Isometry3d::Identity(), {0, 0}, size.head<2>(), 0, size.z(), print)}};
 }
 
-Colour OneOf(const std::array<Colour, 5>& colours, Random& random) {
+Colour PickOne(const std::array<Colour, 5>& colours, Random& random) {
   const Colour& colour = colours[static_cast<size_t>(random.Uniform(0, 5))];
   return random.Uniform(0.85, 1.1) * colour;
 }
@@ -111,18 +111,18 @@ Colour DrawClutterColour(const std::string& shape, Random& random) {
   using Colours = std::array<Colour, 5>;
   if (shape == "paper") return kPaper;
   if (shape == "books") {
-    return OneOf(Colours{Colour(0.5, 0.22, 0.2), Colour(0.2, 0.3, 0.45), Colour(0.25, 0.38, 0.28),
-                         Colour(0.72, 0.66, 0.52), Colour(0.28, 0.26, 0.26)},
-                 random);
+    return PickOne(Colours{Colour(0.5, 0.22, 0.2), Colour(0.2, 0.3, 0.45), Colour(0.25, 0.38, 0.28),
+                           Colour(0.72, 0.66, 0.52), Colour(0.28, 0.26, 0.26)},
+                   random);
   }
   if (shape == "cylinder") {
-    return OneOf(Colours{Colour(0.3, 0.31, 0.33), Colour(0.62, 0.62, 0.6), Colour(0.45, 0.5, 0.42),
-                         Colour(0.55, 0.42, 0.34), Colour(0.3, 0.36, 0.46)},
-                 random);
+    return PickOne(Colours{Colour(0.3, 0.31, 0.33), Colour(0.62, 0.62, 0.6), Colour(0.45, 0.5, 0.42),
+                           Colour(0.55, 0.42, 0.34), Colour(0.3, 0.36, 0.46)},
+                   random);
   }
-  return OneOf(Colours{Colour(0.66, 0.52, 0.36), Colour(0.6, 0.47, 0.33), Colour(0.74, 0.71, 0.66),
-                       Colour(0.45, 0.47, 0.5), Colour(0.7, 0.56, 0.38)},
-               random);
+  return PickOne(Colours{Colour(0.66, 0.52, 0.36), Colour(0.6, 0.47, 0.33), Colour(0.74, 0.71, 0.66),
+                         Colour(0.45, 0.47, 0.5), Colour(0.7, 0.56, 0.38)},
+                 random);
 }
 
 }  // namespace armature

@@ -15,7 +15,7 @@ namespace armature {
 namespace {
 
 // Of the i-th thing in a list.
-Random RandomOf(std::uint64_t seed, size_t i) { return Random(1000003 * seed + i); }
+Random MakeRandom(std::uint64_t seed, size_t i) { return Random(1000003 * seed + i); }
 
 void CheckIsNew(const YamlMap& map, const std::string& id, const std::vector<SceneObject>& objects) {
   for (const SceneObject& object : objects) {
@@ -45,11 +45,11 @@ std::vector<SceneObject> ReadObjects(const YamlMap& file, const Scene& scene,
     SceneObject object;
     object.id = ReadName(map, "id");
     CheckIsNew(map, object.id, objects);
-    Random random = RandomOf(scene.seed, objects.size());
+    Random random = MakeRandom(scene.seed, objects.size());
     object.instance = ChosenInstance(map, collection, objects, random);
     const Place place = ReadPlace(map, objects);
     object.T_world_object = StandingOn(place.T_world_place, object.instance);
-    const NamedSolid solid{object.id, SolidOf(object.instance.mesh, object.T_world_object)};
+    const NamedSolid solid{object.id, MakeSolid(object.instance.mesh, object.T_world_object)};
     CheckFree(map, place, solid, scene.room, solids);
     solids.push_back(solid);
     objects.push_back(object);
@@ -59,11 +59,11 @@ std::vector<SceneObject> ReadObjects(const YamlMap& file, const Scene& scene,
 
 std::vector<ClutterPiece> ReadClutter(const YamlMap& file, const Scene& scene) {
   std::vector<ClutterPiece> clutter;
-  std::vector<NamedSolid> solids = SolidsOf(scene.objects);
+  std::vector<NamedSolid> solids = MakeSolids(scene.objects);
   for (const YamlMap& map : MapsIfAny(file, "clutter")) {
-    const Mesh mesh = ReadClutterMesh(map, RandomOf(scene.seed, clutter.size()));
+    const Mesh mesh = ReadClutterMesh(map, MakeRandom(scene.seed, clutter.size()));
     const Place place = ReadPlace(map, scene.objects);
-    const NamedSolid solid{fmt::format("clutter[{}]", clutter.size()), SolidOf(mesh, place.T_world_place)};
+    const NamedSolid solid{fmt::format("clutter[{}]", clutter.size()), MakeSolid(mesh, place.T_world_place)};
     CheckFree(map, place, solid, scene.room, solids);
     solids.push_back(solid);
     clutter.push_back({mesh, place.T_world_place});

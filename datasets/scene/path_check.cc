@@ -23,7 +23,7 @@ std::vector<Obstacle> Obstacles(const Scene& scene) {
   }
   for (size_t i = 0; i < scene.clutter.size(); ++i) {
     const ClutterPiece& piece = scene.clutter[i];
-    obstacles.push_back({fmt::format("clutter[{}]", i), SolidOf(piece.mesh, piece.T_world_mesh).around});
+    obstacles.push_back({fmt::format("clutter[{}]", i), MakeSolid(piece.mesh, piece.T_world_mesh).around});
   }
   return obstacles;
 }

@@ -51,7 +51,7 @@ bool IsWithin(const OrientedBox& box, const Isometry3d& T_world_frame, const Eig
 
 void CheckEdges(const YamlMap& map, const SceneObject& support, const NamedSolid& solid) {
   const Eigen::Vector2d top(support.instance.size.x(), support.instance.size.z());
-  if (IsWithin(solid.solid.around, TopOf(support), top)) return;
+  if (IsWithin(solid.solid.around, FindTop(support), top)) return;
   throw InputError(
       map.At("position", fmt::format("lets {} stick out over the edge of {}, whose top is {:.2f} "
                                      "x {:.2f} m; move it inwards or turn it",
@@ -76,7 +76,7 @@ Place ReadPlace(const YamlMap& map, const std::vector<SceneObject>& objects) {
   const Eigen::AngleAxisd turned(yaw, Vector3d::UnitZ());
   if (!map.Has("on")) return {Translation3d(position.x(), position.y(), 0) * turned, std::nullopt};
   const SceneObject support = ReadSupport(map, objects);
-  return {TopOf(support) * Translation3d(position.x(), -position.y(), 0) * turned, support};
+  return {FindTop(support) * Translation3d(position.x(), -position.y(), 0) * turned, support};
 }
 
 void CheckFree(const YamlMap& map, const Place& place, const NamedSolid& solid, const Room& room,
@@ -90,11 +90,11 @@ void CheckFree(const YamlMap& map, const Place& place, const NamedSolid& solid, 
   }
 }
 
-std::vector<NamedSolid> SolidsOf(const std::vector<SceneObject>& objects) {
+std::vector<NamedSolid> MakeSolids(const std::vector<SceneObject>& objects) {
   std::vector<NamedSolid> solids;
   solids.reserve(objects.size());
   for (const SceneObject& object : objects) {
-    solids.push_back({object.id, SolidOf(object.instance.mesh, object.T_world_object)});
+    solids.push_back({object.id, MakeSolid(object.instance.mesh, object.T_world_object)});
   }
   return solids;
 }

@@ -32,6 +32,6 @@ struct NamedSolid {
 void CheckFree(const YamlMap& map, const Place& place, const NamedSolid& solid, const Room& room,
                const std::vector<NamedSolid>& others);
 
-std::vector<NamedSolid> SolidsOf(const std::vector<SceneObject>& objects);
+std::vector<NamedSolid> MakeSolids(const std::vector<SceneObject>& objects);
 
 }  // namespace armature

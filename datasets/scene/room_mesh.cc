@@ -27,7 +27,7 @@ Mesh Shell(const Room& room) {
   mesh.parts.push_back(Sheet(Translation3d(0, 0, room.size.z()) * Isometry3d(downwards), room.size.head<2>(),
                              Plain({0.93, 0.93, 0.92})));
   unsigned number = 0;
-  for (const Wall& wall : WallsOf(room)) {
+  for (const Wall& wall : MakeWalls(room)) {
     Material material = room.walls;
     material.seed += number++;
     mesh.parts.push_back(Sheet(wall.T_world_wall * Translation3d(0, 0.5 * wall.height, 0),
@@ -40,7 +40,7 @@ Mesh SkirtingBoards(const Room& room) {
   constexpr double kThickness = 0.015;
   Mesh mesh;
   if (room.skirting <= 0) return mesh;
-  for (const Wall& wall : WallsOf(room)) {
+  for (const Wall& wall : MakeWalls(room)) {
     mesh.parts.push_back(Block(wall.T_world_wall * Translation3d(0, 0.5 * room.skirting, 0.5 * kThickness),
                                {wall.width, room.skirting, kThickness}, Plain({0.9, 0.89, 0.86}, 0.3)));
   }

@@ -26,7 +26,7 @@ std::vector<std::string> TextureNames() {
   return names;
 }
 
-Texture TextureOf(const std::string& wanted) {
+Texture ParseTexture(const std::string& wanted) {
   for (const auto& [name, texture] : kTextures) {
     if (wanted == name) return texture;
   }
@@ -39,7 +39,7 @@ void ReadMaterial(const YamlMap& map, Material* material) {
              {Option("texture", &texture, "", TextureNames()),
               Option("scale", &material->scale, "", 1e-3, 100), Option("gloss", &material->gloss, "", 0, 1)},
              {"colour", "second"});
-  if (map.Has("texture")) material->texture = TextureOf(texture);
+  if (map.Has("texture")) material->texture = ParseTexture(texture);
   if (map.Has("colour")) material->colour = ReadColour(map, "colour");
   // Joints and grain a little darker than the rest.
   material->second = map.Has("second") ? ReadColour(map, "second") : Colour(0.75 * material->colour);

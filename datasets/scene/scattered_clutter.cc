@@ -33,7 +33,7 @@ Taken TakenBy(const Scene& scene) {
     taken.boxes.push_back({object.T_world_object, object.instance.size});
   }
   for (const ClutterPiece& piece : scene.clutter) {
-    taken.boxes.push_back(SolidOf(piece.mesh, piece.T_world_mesh).around);
+    taken.boxes.push_back(MakeSolid(piece.mesh, piece.T_world_mesh).around);
   }
   for (const Isometry3d& pose : CameraPoses(scene.path, scene.frames, scene.seed)) {
     taken.cameras.push_back(pose.translation());
@@ -86,7 +86,7 @@ ClutterPiece ForTable(Random& random) {
 // Along a wall, roughly parallel to it.
 ClutterPiece AtWall(const Room& room, Random& random) {
   ClutterPiece piece = ForFloor(random);
-  const Wall wall = WallsOf(room)[static_cast<size_t>(random.Uniform(0, 4))];
+  const Wall wall = MakeWalls(room)[static_cast<size_t>(random.Uniform(0, 4))];
   const Vector3d size = BoundingBox(piece.mesh).sizes();
   const double reach = 0.5 * size.head<2>().norm();
   const double along = random.Uniform(-0.5, 0.5) * (wall.width - 2 * reach);
@@ -105,7 +105,7 @@ ClutterPiece OnTable(const SceneObject& table, Random& random) {
   const double x = random.Uniform(-0.5, 0.5) * std::max(0.0, top.x() - 2 * reach);
   const double y = random.Uniform(-0.5, 0.5) * std::max(0.0, top.z() - 2 * reach);
   piece.T_world_mesh =
-      TopOf(table) * Translation3d(x, y, 0) * Eigen::AngleAxisd(TurnedBy(random, 180), Vector3d::UnitZ());
+      FindTop(table) * Translation3d(x, y, 0) * Eigen::AngleAxisd(TurnedBy(random, 180), Vector3d::UnitZ());
   return piece;
 }
 
@@ -115,7 +115,7 @@ void AddPieces(int count, const Draw& draw, Taken* taken, std::vector<ClutterPie
   for (int i = 0; i < count; ++i) {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       const ClutterPiece piece = draw();
-      const OrientedBox box = SolidOf(piece.mesh, piece.T_world_mesh).around;
+      const OrientedBox box = MakeSolid(piece.mesh, piece.T_world_mesh).around;
       if (!IsFree(box, *taken)) continue;
       taken->boxes.push_back(box);
       pieces->push_back(piece);

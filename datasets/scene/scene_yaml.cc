@@ -20,7 +20,7 @@ void ReadHead(const YamlMap& map, int draw, Scene* scene) {
       {Option("name", &scene->name, ""), Option("about", &scene->about, ""), Option("seed", &seed, "", 0),
        Option("fps", &scene->fps, "", 0.01, 1000), Option("frames", &scene->frames, "", 1, 100000)},
       {"camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry", "detections"});
-  scene->name = NameOfDraw(ReadName(map, "name"), draw);
+  scene->name = NameDraw(ReadName(map, "name"), draw);
   scene->seed = static_cast<std::uint64_t>(seed) + kBetweenDraws * static_cast<std::uint64_t>(draw - 1);
 }
 

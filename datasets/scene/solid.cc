@@ -23,7 +23,7 @@ OrientedBox PartBox(const Part& part, const Eigen::Isometry3d& T_world_mesh) {
 
 }  // namespace
 
-Solid SolidOf(const Mesh& mesh, const Eigen::Isometry3d& T_world_mesh) {
+Solid MakeSolid(const Mesh& mesh, const Eigen::Isometry3d& T_world_mesh) {
   Solid solid;
   solid.around = Placed(BoundingBox(mesh), T_world_mesh);
   for (const Part& part : mesh.parts) solid.parts.push_back(PartBox(part, T_world_mesh));

@@ -17,7 +17,7 @@ struct Solid {
   std::vector<OrientedBox> parts;  // each along the axes of the part's own frame
 };
 
-Solid SolidOf(const Mesh& mesh, const Eigen::Isometry3d& T_world_mesh);
+Solid MakeSolid(const Mesh& mesh, const Eigen::Isometry3d& T_world_mesh);
 
 // Whether parts of the two have more than 1 cm^3 in common: things that stand on each other only touch.
 bool Overlap(const Solid& a, const Solid& b);

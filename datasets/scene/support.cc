@@ -16,7 +16,7 @@ Isometry3d Upright() { return Isometry3d(Eigen::AngleAxisd(90 * kDegree, Eigen::
 
 bool IsSupport(const SceneObject& object) { return object.instance.category == "table"; }
 
-Isometry3d TopOf(const SceneObject& object) {
+Isometry3d FindTop(const SceneObject& object) {
   return object.T_world_object * Translation3d(0, 0.5 * object.instance.size.y(), 0) * Upright().inverse();
 }
 

@@ -127,7 +127,7 @@ bool TryPicture(const Room& room, Random& random, std::array<WallSpace, 4>* wall
 
 }  // namespace
 
-std::array<Wall, 4> WallsOf(const Room& room) {
+std::array<Wall, 4> MakeWalls(const Room& room) {
   std::array<Wall, 4> walls;
   for (size_t i = 0; i < 4; ++i) {
     const Eigen::AngleAxisd turned(90 * kDegree * static_cast<double>(i), Vector3d::UnitZ());
@@ -149,7 +149,7 @@ Part Sheet(const Isometry3d& T_mesh_sheet, const Vector2d& size, const Material&
 }
 
 Mesh WallDecoration(const Room& room, Random& random) {
-  const std::array<Wall, 4> walls = WallsOf(room);
+  const std::array<Wall, 4> walls = MakeWalls(room);
   std::array<WallSpace, 4> spaces{WallSpace(walls[0]), WallSpace(walls[1]), WallSpace(walls[2]),
                                   WallSpace(walls[3])};
   Mesh mesh;

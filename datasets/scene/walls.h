@@ -19,7 +19,7 @@ struct Wall {
 };
 
 // Those at the room's +y, -x, -y, +x.
-std::array<Wall, 4> WallsOf(const Room& room);
+std::array<Wall, 4> MakeWalls(const Room& room);
 
 // A single sheet in the x-y plane of its frame, seen from its +z; x and y sizes.
 Part Sheet(const Eigen::Isometry3d& T_mesh_sheet, const Eigen::Vector2d& size, const Material& material);

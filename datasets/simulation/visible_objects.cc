@@ -66,7 +66,7 @@ double VisibleShare(const RayScene& rays, int object, const Camera& camera,
     for (double x = extent.left() + 0.5 * step; x < extent.right(); x += step) {
       const Eigen::Vector2d pixel(x, y);
       const Eigen::Vector3d direction = T_world_camera.linear() * camera.Ray(pixel).normalized();
-      if (rays.NearestOfObject(object, T_world_camera.translation(), direction).mesh < 0) continue;
+      if (rays.HitNearestOfObject(object, T_world_camera.translation(), direction).mesh < 0) continue;
       ++all;
       if (!IsInside(pixel, camera)) continue;
       if (rays.Nearest(T_world_camera.translation(), direction).object == object) ++seen;

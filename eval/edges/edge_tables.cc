@@ -13,7 +13,7 @@ struct CategoryCounts {
   MatchCounts counts;
 };
 
-CategoryCounts CountsOf(const RunEvaluation& evaluation, const std::string& category) {
+CategoryCounts CountMatches(const RunEvaluation& evaluation, const std::string& category) {
   CategoryCounts s;
   for (const EvaluatedDetection& d : evaluation.detections) {
     if (!category.empty() && d.category != category) continue;
@@ -23,8 +23,8 @@ CategoryCounts CountsOf(const RunEvaluation& evaluation, const std::string& cate
   return s;
 }
 
-std::vector<Cell> RowOf(const NamedEvaluation& run, const std::string& category) {
-  const auto& [detections, counts] = CountsOf(run.evaluation, category);
+std::vector<Cell> MakeRow(const NamedEvaluation& run, const std::string& category) {
+  const auto& [detections, counts] = CountMatches(run.evaluation, category);
   std::vector<Cell> row{TextCell(run.run), TextCell(category.empty() ? "all" : category)};
   row.push_back(CountCell(detections));
   row.push_back(CountCell(counts.matches));
@@ -97,10 +97,10 @@ Table EdgeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
   }
   table.columns.push_back("false alarms");
   table.columns.push_back("false alarms ok [%]");
-  std::vector<std::string> categories = CategoriesOf(runs);
+  std::vector<std::string> categories = ListCategories(runs);
   categories.push_back("");  // all
   for (const NamedEvaluation& run : runs) {
-    for (const std::string& category : categories) table.rows.push_back(RowOf(run, category));
+    for (const std::string& category : categories) table.rows.push_back(MakeRow(run, category));
   }
   table.notes = Notes(runs);
   return table;

@@ -33,7 +33,7 @@ struct EvaluatedSequence {
   }
 };
 
-ObjectEvaluationOptions OptionsOf(const ObjectArguments& arguments) {
+ObjectEvaluationOptions MakeOptions(const ObjectArguments& arguments) {
   if (!(arguments.gate_m > 0))
     throw InputError(fmt::format("--gate {:g}: give metres, more than 0", arguments.gate_m));
   return {AlignmentFromName(arguments.alignment), arguments.first_n, arguments.tolerance, arguments.gate_m};
@@ -42,7 +42,7 @@ ObjectEvaluationOptions OptionsOf(const ObjectArguments& arguments) {
 EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
                                    const std::vector<CategoryModel>& models,
                                    const ObjectEvaluationOptions& options) {
-  const std::vector<CategorySpec> specs = SpecsOf(models);
+  const std::vector<CategorySpec> specs = CollectSpecs(models);
   const SequenceTruth truth = LoadSequenceTruth(runs.front().truth, specs);
   std::vector<fs::path> folders;
   for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
@@ -111,16 +111,17 @@ void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                      const std::vector<CategoryModel>& models,
-                                      const std::vector<std::string>& names, bool is_asked,
-                                      const ObjectArguments& arguments) {
+std::vector<Table> MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
+                                       const std::vector<CategoryModel>& models,
+                                       const std::vector<std::string>& names, bool is_asked,
+                                       const ObjectArguments& arguments) {
   const auto has = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   std::vector<Table> tables;
   std::vector<SequenceObjects> all;
-  for (const EvaluatedSequence& sequence : EvaluateSequences(runs, models, OptionsOf(arguments), is_asked)) {
+  for (const EvaluatedSequence& sequence :
+       EvaluateSequences(runs, models, MakeOptions(arguments), is_asked)) {
     if (has("objects")) tables.push_back(ObjectSummaryTable(sequence.objects));
     if (has("each_object")) tables.push_back(EachObjectTable(sequence.objects));
     if (has("normal")) tables.push_back(NormalTermTable(sequence.objects, sequence.observations));

@@ -33,9 +33,9 @@ void AddObjectArguments(CLI::App& command, ObjectArguments& arguments);
 // none of whose runs has a map, without rows; otherwise they are left out, and a line on standard error says
 // so. Writes the raw rows. Throws InputError: a bad argument, a malformed or missing file, a file that cannot
 // be written.
-std::vector<Table> ObjectTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                      const std::vector<CategoryModel>& models,
-                                      const std::vector<std::string>& names, bool is_asked,
-                                      const ObjectArguments& arguments);
+std::vector<Table> MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
+                                       const std::vector<CategoryModel>& models,
+                                       const std::vector<std::string>& names, bool is_asked,
+                                       const ObjectArguments& arguments);
 
 }  // namespace armature

@@ -28,7 +28,7 @@ std::set<size_t> ObservedObjects(const GroundTruth& truth) {
 
 EvaluatedObject FoundObject(const PlacedObject& object, const TrueObject& truth,
                             const std::vector<CategorySpec>& specs) {
-  const int symmetry_order = SpecOf(specs, truth.category).symmetry_order;
+  const int symmetry_order = FindSpec(specs, truth.category).symmetry_order;
   return {ObjectStatus::kFound,
           truth.category,
           truth.id,

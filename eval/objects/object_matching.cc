@@ -32,7 +32,7 @@ Eigen::MatrixXi CountObservations(const std::vector<PlacedObject>& map, const Ru
   for (size_t j = 0; j < map.size(); ++j) positions[map[j].id] = j;
   for (const auto& [key, observation] : run.observations) {
     const auto found = positions.find(observation.object);
-    const TrueObject* object = truth.ObjectOf(observation.timestamp, observation.index);
+    const TrueObject* object = truth.FindObject(observation.timestamp, observation.index);
     if (found == positions.end() || !object || object->category != map[found->second].category) continue;
     ++counts(object - truth.objects.data(), static_cast<Eigen::Index>(found->second));
   }

@@ -28,7 +28,7 @@ std::vector<Cell> SummaryRow(const std::string& run, const EvaluatedMap& map, co
 }
 
 // Of true and of spurious objects.
-std::vector<std::string> CategoriesOf(const SequenceObjects& sequence) {
+std::vector<std::string> ListCategories(const SequenceObjects& sequence) {
   std::set<std::string> categories;
   for (const NamedObjects& run : sequence.runs) {
     for (const EvaluatedMap& map : run.objects.maps) {
@@ -133,7 +133,7 @@ Table ObjectSummaryTable(const SequenceObjects& sequence) {
   table.columns = {"run",           "approach",   "category", "true",      "observed",    "found",
                    "missed",        "spurious",   "best [m]", "worst [m]", "average [m]", "median [m]",
                    "azimuth [deg]", "tilt [deg]", "size [m]", "IoU"};
-  std::vector<std::string> categories = CategoriesOf(sequence);
+  std::vector<std::string> categories = ListCategories(sequence);
   categories.push_back("");  // all
   for (const NamedObjects& run : sequence.runs) {
     for (const EvaluatedMap& map : run.objects.maps) {

@@ -14,7 +14,7 @@ namespace armature {
 namespace {
 
 // Half a unit of the last printed digit.
-double RoundingOf(const std::string& printed) {
+double FindRounding(const std::string& printed) {
   const size_t point = printed.find('.');
   const size_t digits = point == std::string::npos ? 0 : printed.size() - point - 1;
   return 0.5 * std::pow(10.0, -static_cast<double>(digits));
@@ -28,7 +28,7 @@ std::vector<std::string> OddAverage(const PaperObjectErrors& row) {
   const double n = row.objects, best = Value(row.best), worst = Value(row.worst),
                average = Value(row.average);
   const double least = ((n - 1) * best + worst) / n, most = (best + (n - 1) * worst) / n;
-  const double rounding = RoundingOf(row.best) + RoundingOf(row.average);
+  const double rounding = FindRounding(row.best) + FindRounding(row.average);
   const std::string start = fmt::format("paper {}, {}: {} objects between {} and {} average {}", row.sequence,
                                         row.approach, row.objects, row.best, row.worst, row.average);
   if (average < least - rounding || average > most + rounding)

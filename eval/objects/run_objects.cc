@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Similarity AlignmentOf(const fs::path& trajectory, const SequenceTruth& sequence,
-                       const ObjectEvaluationOptions& options) {
+Similarity AlignTrajectory(const fs::path& trajectory, const SequenceTruth& sequence,
+                           const ObjectEvaluationOptions& options) {
   const std::vector<PosePair> pairs =
       PairPoses(ReadTumTrajectory(trajectory), sequence.truth.T_world_camera, options.tolerance);
   if (pairs.empty()) {
@@ -34,8 +34,8 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
   std::vector<PlacedObject> map =
       ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
   if (!map.empty()) {  // a run that placed nothing may have had no odometry
-    evaluated.T_truth_run =
-        AlignmentOf(run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
+    evaluated.T_truth_run = AlignTrajectory(
+        run.folder / (by_odometry ? "odometry_scaled.txt" : "trajectory.txt"), sequence, options);
   }
   map = Moved(std::move(map), evaluated.T_truth_run);
   evaluated.by_distance =

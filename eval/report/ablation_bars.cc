@@ -11,7 +11,7 @@ namespace armature {
 namespace {
 
 // The first row with each normal term.
-std::vector<TableRow> FirstOfEachTerm(const Table& table) {
+std::vector<TableRow> PickFirstOfEachTerm(const Table& table) {
   std::vector<TableRow> rows;
   std::set<std::string> terms;
   for (const std::vector<Cell>& cells : table.rows) {
@@ -22,8 +22,8 @@ std::vector<TableRow> FirstOfEachTerm(const Table& table) {
   return rows;
 }
 
-AblationBars BarsOfColumn(const Table& table, const std::vector<TableRow>& rows, const std::string& of,
-                          const std::string& angle) {
+AblationBars MakeColumnBars(const Table& table, const std::vector<TableRow>& rows, const std::string& of,
+                            const std::string& angle) {
   AblationBars bars{table.sequence, fmt::format("Mean absolute {} of {}", angle, of), "deg", {}};
   for (const TableRow& row : rows) {
     if (const auto value = row.Number(fmt::format("{}: {} mean", of, angle)))
@@ -37,10 +37,10 @@ AblationBars BarsOfColumn(const Table& table, const std::vector<TableRow>& rows,
 std::vector<AblationBars> NormalTermBars(const std::vector<Table>& tables) {
   std::vector<AblationBars> all;
   for (const Table* table : TablesNamed(tables, "normal")) {
-    const std::vector<TableRow> rows = FirstOfEachTerm(*table);
+    const std::vector<TableRow> rows = PickFirstOfEachTerm(*table);
     for (const char* of : {"observations", "objects"}) {
       for (const char* angle : {"pitch", "roll"}) {
-        AblationBars bars = BarsOfColumn(*table, rows, of, angle);
+        AblationBars bars = MakeColumnBars(*table, rows, of, angle);
         if (bars.bars.size() > 1) all.push_back(std::move(bars));
       }
     }

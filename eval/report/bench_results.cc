@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kBenchRemedy = "run `armature bench --out` again";
 
 // Curves over the same axes of one sequence share a plot.
-TimeCurves& PlotOf(const Json& series, std::vector<TimeCurves>& plots) {
+TimeCurves& FindPlot(const Json& series, std::vector<TimeCurves>& plots) {
   const auto sequence = series.at("sequence").get<std::string>();
   const auto x_label = series.at("x_label").get<std::string>();
   const auto y_label = series.at("y_label").get<std::string>();
@@ -29,7 +29,7 @@ TimeCurves& PlotOf(const Json& series, std::vector<TimeCurves>& plots) {
   return plots.emplace_back(TimeCurves{sequence, x_label, y_label, {}});
 }
 
-std::vector<TimeCurves> CurvesOf(const Json& bench) {
+std::vector<TimeCurves> MakeCurves(const Json& bench) {
   std::vector<TimeCurves> plots;
   for (const Json& series : bench.at("series")) {
     TimeCurves::Curve curve{series.at("contender").get<std::string>(), {}};
@@ -37,12 +37,12 @@ std::vector<TimeCurves> CurvesOf(const Json& bench) {
       curve.points.push_back({point.at("x").get<double>(), point.at("median").get<double>(),
                               point.at("p10").get<double>(), point.at("p90").get<double>()});
     }
-    PlotOf(series, plots).curves.push_back(std::move(curve));
+    FindPlot(series, plots).curves.push_back(std::move(curve));
   }
   return plots;
 }
 
-std::vector<std::pair<std::string, std::string>> EnvironmentOf(const Json& environment) {
+std::vector<std::pair<std::string, std::string>> ListEnvironment(const Json& environment) {
   const Json& git = environment.at("git");
   return {{"benchmark: machine", fmt::format("{}, {} cores", environment.at("cpu").get<std::string>(),
                                              environment.at("cores").get<int>())},
@@ -53,25 +53,25 @@ std::vector<std::pair<std::string, std::string>> EnvironmentOf(const Json& envir
                                               environment.at("flags").get<std::string>())}};
 }
 
-BenchResults ResultsOf(const Json& json, const std::filesystem::path& file) {
+BenchResults ReadResults(const Json& json, const std::filesystem::path& file) {
   BenchResults results;
   results.tables = TablesFromJson(json.at("tables"), file.string());
   results.spans = ReadBenchRecord(file).spans;
-  results.curves = CurvesOf(json);
+  results.curves = MakeCurves(json);
   results.objects = json.at("settings").value("objects", results.objects);
-  results.environment = EnvironmentOf(json.at("environment"));
+  results.environment = ListEnvironment(json.at("environment"));
   return results;
 }
 
 // Where `name` stands in the list, added at its end if it is new.
-size_t PlaceOf(const std::string& name, std::vector<std::string>& names) {
+size_t FindPlace(const std::string& name, std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<size_t>(found - names.begin());
   names.push_back(name);
   return names.size() - 1;
 }
 
-StageBars& BarsOf(const std::string& sequence, size_t objects, std::vector<StageBars>& all) {
+StageBars& FindBars(const std::string& sequence, size_t objects, std::vector<StageBars>& all) {
   for (StageBars& bars : all) {
     if (bars.sequence == sequence) return bars;
   }
@@ -82,8 +82,8 @@ StageBars& BarsOf(const std::string& sequence, size_t objects, std::vector<Stage
                 {}});
 }
 
-double& ValueOf(const std::string& engine, const std::string& stage, StageBars& bars) {
-  const size_t place = PlaceOf(stage, bars.stages);
+double& GetValue(const std::string& engine, const std::string& stage, StageBars& bars) {
+  const size_t place = FindPlace(stage, bars.stages);
   auto bar = std::find_if(bars.bars.begin(), bars.bars.end(),
                           [&](const StageBars::Bar& b) { return b.engine == engine; });
   if (bar == bars.bars.end()) bar = bars.bars.insert(bars.bars.end(), StageBars::Bar{engine, {}});
@@ -99,18 +99,19 @@ BenchResults ReadBenchResults(const std::filesystem::path& folder) {
   if (!json.is_object() || !json.contains("complete") || json["complete"] != true)
     throw InputError(fmt::format("{}: is not a finished benchmark; {}", file.string(), kBenchRemedy));
   try {
-    return ResultsOf(json, file);
+    return ReadResults(json, file);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{}: is malformed ({}); {}", file.string(), error.what(), kBenchRemedy));
   }
 }
 
-std::vector<StageBars> StageBarsOf(const BenchResults& bench) {
+std::vector<StageBars> MakeStageBars(const BenchResults& bench) {
   std::vector<StageBars> all;
   for (const NamedSpan& span : bench.spans) {
     const bool is_engine = span.contender.find(':') != std::string::npos;  // not the calibration loop
     if (span.table != "comparison" || !is_engine || span.stage == kTotal) continue;
-    ValueOf(span.contender, span.stage, BarsOf(span.sequence, bench.objects, all)) = span.milliseconds.median;
+    GetValue(span.contender, span.stage, FindBars(span.sequence, bench.objects, all)) =
+        span.milliseconds.median;
   }
   for (StageBars& bars : all) {
     for (StageBars::Bar& bar : bars.bars) bar.milliseconds.resize(bars.stages.size(), 0);

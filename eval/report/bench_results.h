@@ -24,6 +24,6 @@ struct BenchResults {
 BenchResults ReadBenchResults(const std::filesystem::path& folder);
 
 // The median stages of the comparison's engines, an entry a sequence.
-std::vector<StageBars> StageBarsOf(const BenchResults& bench);
+std::vector<StageBars> MakeStageBars(const BenchResults& bench);
 
 }  // namespace armature

@@ -25,7 +25,7 @@ EstimateStatus StatusFromName(const std::string& name) {
   return EstimateStatus::kDiverged;  // of another program: no estimate to be drawn
 }
 
-std::vector<EdgeMatch> MatchesOf(const RunObservation& row, const CategorySpec& spec) {
+std::vector<EdgeMatch> ReadMatches(const RunObservation& row, const CategorySpec& spec) {
   std::vector<EdgeMatch> matches;
   for (const RunMatch& match : row.matches) {
     const auto edge = std::find(spec.edge_names.begin(), spec.edge_names.end(), match.edge);
@@ -35,7 +35,7 @@ std::vector<EdgeMatch> MatchesOf(const RunObservation& row, const CategorySpec& 
   return matches;
 }
 
-ObjectEstimate EstimateOf(const RunObservation& row, const CategoryModel& model) {
+ObjectEstimate ReadEstimate(const RunObservation& row, const CategoryModel& model) {
   ObjectEstimate estimate;
   const bool is_whole = row.T_camera_object && static_cast<int>(row.shape.size()) <= model.modes();
   estimate.status = is_whole ? StatusFromName(row.status) : EstimateStatus::kTooFewEdges;
@@ -43,7 +43,7 @@ ObjectEstimate EstimateOf(const RunObservation& row, const CategoryModel& model)
   estimate.T_camera_object = *row.T_camera_object;
   estimate.coefficients =
       Eigen::Map<const Eigen::VectorXd>(row.shape.data(), static_cast<Eigen::Index>(row.shape.size()));
-  estimate.matches = MatchesOf(row, model.spec);
+  estimate.matches = ReadMatches(row, model.spec);
   return estimate;
 }
 
@@ -61,7 +61,7 @@ std::vector<size_t> FoundInImages(const LoadedRun& run, const Sequence& sequence
   return counts;
 }
 
-std::string CaptionOf(const FrameResult& frame) {
+std::string FormatCaption(const FrameResult& frame) {
   size_t found = 0, matches = 0;
   for (const ObjectObservation& observation : frame.observations) {
     found += observation.estimate.status == EstimateStatus::kOk ? 1 : 0;
@@ -73,8 +73,8 @@ std::string CaptionOf(const FrameResult& frame) {
 
 }  // namespace
 
-FrameResult FrameOfRun(const LoadedRun& run, const Sequence& sequence, size_t image,
-                       const std::vector<CategoryModel>& models) {
+FrameResult RestoreFrame(const LoadedRun& run, const Sequence& sequence, size_t image,
+                         const std::vector<CategoryModel>& models) {
   FrameResult frame;
   frame.timestamp = sequence.images[image].timestamp;
   for (size_t d = 0; d < sequence.detections[image].size(); ++d) {
@@ -83,12 +83,12 @@ FrameResult FrameOfRun(const LoadedRun& run, const Sequence& sequence, size_t im
     observation.detection.box = UndistortBox(sequence.camera, observation.detection.box);
     const RunObservation* row = run.results.Find(frame.timestamp, static_cast<int>(d));
     const CategoryModel* model = FindCategory(models, observation.detection.category);
-    if (row != nullptr && model != nullptr) observation.estimate = EstimateOf(*row, *model);
+    if (row != nullptr && model != nullptr) observation.estimate = ReadEstimate(*row, *model);
   }
   return frame;
 }
 
-std::vector<size_t> RichestOfParts(const std::vector<size_t>& counts, size_t parts) {
+std::vector<size_t> PickRichestParts(const std::vector<size_t>& counts, size_t parts) {
   std::vector<size_t> places;
   for (size_t part = 0; part < parts; ++part) {
     const size_t first = part * counts.size() / parts, end = (part + 1) * counts.size() / parts;
@@ -106,26 +106,26 @@ std::vector<size_t> RichestOfParts(const std::vector<size_t>& counts, size_t par
   return places;
 }
 
-std::vector<OverlayFrame> OverlayFramesOf(const SequenceRuns& sequence,
-                                          const std::vector<CategoryModel>& models,
-                                          std::vector<std::string>& remarks) {
+std::vector<OverlayFrame> MakeOverlayFrames(const SequenceRuns& sequence,
+                                            const std::vector<CategoryModel>& models,
+                                            std::vector<std::string>& remarks) {
   std::vector<OverlayFrame> frames;
   if (!sequence.images) return frames;
   const Sequence& images = *sequence.images;
   const LoadedRun& run = sequence.runs.front();
-  for (const size_t image : RichestOfParts(FoundInImages(run, images), kOverlays)) {
+  for (const size_t image : PickRichestParts(FoundInImages(run, images), kOverlays)) {
     const ImageResult colour = ReadImage(images.images[image].file, images.camera);
     if (!colour.image) {
       remarks.push_back(fmt::format("{}: a frame is not shown: {}", sequence.name, colour.error));
       continue;
     }
-    const FrameResult frame = FrameOfRun(run, images, image, models);
+    const FrameResult frame = RestoreFrame(run, images, image, models);
     const cv::Mat drawn =
         DrawOverlay(Undistorted(*colour.image, images.camera), frame, models, images.camera);
     const std::string alt = fmt::format("{} at {:.2f} s with wireframes and matched lines of {} objects",
                                         sequence.name, frame.timestamp, frame.observations.size());
-    frames.push_back(
-        {sequence.name, run.name, frame.timestamp, CaptionOf(frame), JpegPicture(drawn, kOverlayWidth, alt)});
+    frames.push_back({sequence.name, run.name, frame.timestamp, FormatCaption(frame),
+                      JpegPicture(drawn, kOverlayWidth, alt)});
   }
   return frames;
 }

@@ -18,9 +18,9 @@
 #include "eval/report/report_page.h"
 #include "eval/report/table_json.h"
 #include "eval/views/evaluation_tables.h"
+#include "io/atomic_write.h"
 #include "io/library_file.h"
 #include "io/run_folder.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -54,11 +54,11 @@ std::vector<Table> ReadEvaluation(const fs::path& folder) {
 std::vector<Table> EvaluateRuns(const ReportArguments& arguments, const std::vector<RunToEvaluate>& runs) {
   EvalArguments eval;
   eval.configuration = arguments.configuration;
-  return TablesOfRuns(eval, runs, TableFormat::kText);
+  return MakeRunTables(eval, runs, TableFormat::kText);
 }
 
 template <typename Read>
-std::vector<Table> TablesOfAll(const std::vector<fs::path>& places, Read read) {
+std::vector<Table> ReadAllTables(const std::vector<fs::path>& places, Read read) {
   std::vector<Table> tables;
   for (const fs::path& place : places) {
     std::vector<Table> more = read(place);
@@ -89,25 +89,25 @@ CommandHelp ReportHelp() {
 
 }  // namespace
 
-ReportSources SourcesOf(const ReportArguments& arguments) {
+ReportSources CollectSources(const ReportArguments& arguments) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
   ReportSources sources;
   sources.title = arguments.title;
   sources.runs = NamedRuns(runs);
   sources.models = LoadModels(arguments.configuration);
-  sources.overview = TablesOfAll(arguments.tables, ReadTables);
+  sources.overview = ReadAllTables(arguments.tables, ReadTables);
   sources.tables = arguments.evaluations.empty() ? EvaluateRuns(arguments, runs)
-                                                 : TablesOfAll(arguments.evaluations, ReadEvaluation);
+                                                 : ReadAllTables(arguments.evaluations, ReadEvaluation);
   sources.benches = arguments.benches;
   if (!arguments.library.empty()) sources.library = ReadLibrary(arguments.library, sources.models);
   return sources;
 }
 
 int RunReport(const ReportArguments& arguments) {
-  const ReportData data = CollectReport(SourcesOf(arguments));
+  const ReportData data = CollectReport(CollectSources(arguments));
   ThrowIfInterrupted();
   const std::string page = ReportPage(data);
-  WriteWholeFile(arguments.out, page);
+  AtomicWrite(arguments.out, page);
   for (const std::string& remark : data.remarks) Note(remark);
   fmt::print("{}: the report, {:.1f} MB, opens in any browser without a network\n", arguments.out.string(),
              static_cast<double>(page.size()) / 1e6);

@@ -25,7 +25,7 @@ struct ReportArguments {
 };
 
 // Reads the tables or makes them, and finds the runs' sequences. Throws InputError.
-ReportSources SourcesOf(const ReportArguments& arguments);
+ReportSources CollectSources(const ReportArguments& arguments);
 
 // Writes the page and prints where it is. Returns the exit status; throws InputError.
 int RunReport(const ReportArguments& arguments);

@@ -12,7 +12,7 @@
 namespace armature {
 namespace {
 
-std::string HeadOfPage(const std::string& title) {
+std::string FormatPageHead(const std::string& title) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
@@ -58,7 +58,7 @@ std::string Scripts(const ReportData& data) {
 
 std::string ReportPage(const ReportData& data) {
   const std::vector<PageSection> sections = ReportSections(data);
-  std::string html = HeadOfPage(data.title);
+  std::string html = FormatPageHead(data.title);
   html += fmt::format("<body>\n<header><h1>{}</h1></header>\n{}<main>\n", EscapedHtml(data.title),
                       Navigation(sections));
   for (const PageSection& section : sections) html += SectionHtml(section);

@@ -27,7 +27,7 @@ void AddAll(std::vector<T> more, std::vector<T>& all) {
 }
 
 // Of a table of `armature eval`, by its name.
-ReportSection SectionOf(const std::string& table) {
+ReportSection FindSection(const std::string& table) {
   if (table == "normal") return ReportSection::kAblation;
   for (const char* name : {"retrieval", "retrieval_variants", "each_query", "library"}) {
     if (table == name) return ReportSection::kRetrieval;
@@ -51,7 +51,7 @@ std::vector<Table> ByImportance(std::vector<Table> tables) {
 void AddTables(const ReportSources& sources, ReportData& data) {
   for (const Table& table : sources.overview) data.tables.push_back({ReportSection::kOverview, table});
   for (Table& table : ByImportance(sources.tables)) {
-    const ReportSection section = SectionOf(table.name);
+    const ReportSection section = FindSection(table.name);
     data.tables.push_back({section, std::move(table)});
   }
   AddAll(LocalizationFigures(sources.tables), data.headline);
@@ -64,7 +64,7 @@ void AddBenches(const ReportSources& sources, ReportData& data) {
   for (const std::filesystem::path& folder : sources.benches) {
     BenchResults bench = ReadBenchResults(folder);
     for (const Table& table : bench.tables) data.tables.push_back({ReportSection::kTiming, table});
-    AddAll(StageBarsOf(bench), data.stages);
+    AddAll(MakeStageBars(bench), data.stages);
     AddAll(std::move(bench.curves), data.curves);
     MergeEnvironment(bench.environment, data.environment);
     if (has_headline) continue;
@@ -75,19 +75,19 @@ void AddBenches(const ReportSources& sources, ReportData& data) {
 }
 
 void AddSequence(const SequenceRuns& sequence, const ReportSources& sources, ReportData& data) {
-  if (auto map = TopDownMapOf(sequence)) {
+  if (auto map = MakeTopDownMap(sequence)) {
     data.maps.push_back(std::move(*map));
   } else {
     data.remarks.push_back(fmt::format("{}: no run has a map with objects", sequence.name));
   }
-  AddAll(OverlayFramesOf(sequence, sources.models, data.remarks), data.overlays);
-  std::vector<RetrievalStrip> strips = RetrievalStripsOf(sequence, sources.library, data.remarks);
+  AddAll(MakeOverlayFrames(sequence, sources.models, data.remarks), data.overlays);
+  std::vector<RetrievalStrip> strips = MakeRetrievalStrips(sequence, sources.library, data.remarks);
   if (strips.empty() && sequence.runs.front().map)
     data.remarks.push_back(
         fmt::format("{}: no CAD models were retrieved for the run '{}'; see `armature retrieve`",
                     sequence.name, sequence.runs.front().name));
   AddAll(std::move(strips), data.strips);
-  if (auto scene = SceneViewOf(sequence, sources.models, sources.library, data.remarks))
+  if (auto scene = MakeSceneView(sequence, sources.models, sources.library, data.remarks))
     data.scenes.push_back(std::move(*scene));
 }
 

@@ -38,7 +38,7 @@ std::map<std::string, const TrueObject*> TrueObjects(const SequenceRuns& sequenc
   return of_map;
 }
 
-RetrievalStrip::Model ModelOf(const RetrievedModel& retrieved, const std::string& true_model) {
+RetrievalStrip::Model LookUpModel(const RetrievedModel& retrieved, const std::string& true_model) {
   RetrievalStrip::Model model;
   model.name = retrieved.name;
   if (retrieved.cost) model.detail = fmt::format("cost {:.2f}, ", *retrieved.cost);
@@ -54,7 +54,7 @@ void AddPictures(const PlacedObject& object, const TimedPose& camera, const Inst
   std::vector<RetrievalStrip::Model*> models;
   for (RetrievalStrip::Model& model : strip.models) {
     try {
-      auto surface = SurfaceOfModel(library, object.category, model.name);
+      auto surface = LoadModelSurface(library, object.category, model.name);
       if (!surface) continue;
       meshes.push_back(std::move(*surface));
       models.push_back(&model);
@@ -125,8 +125,8 @@ cv::Rect CropAround(const Box& box, const cv::Size& image) {
   return cv::Rect(low, high) & cv::Rect({0, 0}, image);
 }
 
-std::vector<RetrievalStrip> RetrievalStripsOf(const SequenceRuns& sequence, const InstanceLibrary& library,
-                                              std::vector<std::string>& remarks) {
+std::vector<RetrievalStrip> MakeRetrievalStrips(const SequenceRuns& sequence, const InstanceLibrary& library,
+                                                std::vector<std::string>& remarks) {
   std::vector<RetrievalStrip> strips;
   const LoadedRun& run = sequence.runs.front();
   if (!run.map) return strips;
@@ -140,7 +140,7 @@ std::vector<RetrievalStrip> RetrievalStripsOf(const SequenceRuns& sequence, cons
     const auto truth = true_objects.find(object.id);
     if (truth != true_objects.end()) strip.true_model = truth->second->instance;
     for (size_t i = 0; i < std::min(models->second.size(), kShownModels); ++i)
-      strip.models.push_back(ModelOf(models->second[i], strip.true_model));
+      strip.models.push_back(LookUpModel(models->second[i], strip.true_model));
     LookAtObject(sequence, object, library, strip, remarks);
   }
   return strips;

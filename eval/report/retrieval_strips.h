@@ -29,7 +29,7 @@ cv::Rect CropAround(const Box& box, const cv::Size& image);
 
 // A strip an object of the first run that retrieval.csv has models for. Where the library is not given or
 // lacks a surface, models have no picture. `remarks`: what could not be shown.
-std::vector<RetrievalStrip> RetrievalStripsOf(const SequenceRuns& sequence, const InstanceLibrary& library,
-                                              std::vector<std::string>& remarks);
+std::vector<RetrievalStrip> MakeRetrievalStrips(const SequenceRuns& sequence, const InstanceLibrary& library,
+                                                std::vector<std::string>& remarks);
 
 }  // namespace armature

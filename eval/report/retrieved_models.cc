@@ -11,7 +11,7 @@
 namespace armature {
 namespace {
 
-RetrievedModel ModelOfRow(const CsvRow& row) {
+RetrievedModel ReadModelRow(const CsvRow& row) {
   RetrievedModel model{row.Text("instance"), row.Number("distance"), {}, {}, 1};
   if (row.IsEmpty("cost")) return model;
   model.cost = row.Number("cost");
@@ -33,19 +33,19 @@ std::map<std::string, std::vector<RetrievedModel>> ReadRetrieval(const std::file
     std::vector<RetrievedModel>& models = retrieved[row.Text("object")];
     if (row.Integer("rank") != static_cast<int>(models.size()) + 1)
       throw InputError(row.At("ranks do not grow by one; retrieve again"));
-    models.push_back(ModelOfRow(row));
+    models.push_back(ReadModelRow(row));
   }
   return retrieved;
 }
 
-std::optional<TriangleMesh> SurfaceOfModel(const InstanceLibrary& library, const std::string& category,
-                                           const std::string& name) {
+std::optional<TriangleMesh> LoadModelSurface(const InstanceLibrary& library, const std::string& category,
+                                             const std::string& name) {
   const CategoryInstances* instances = library.Of(category);
   const int instance = instances == nullptr ? -1 : instances->Find(name);
   if (instance < 0) return std::nullopt;
   const std::string& geometry = instances->geometries[static_cast<size_t>(instance)];
   if (geometry.empty()) return std::nullopt;
-  return Moved(instances->TransformOf(instance), ReadGeometry(library.root / geometry));
+  return Moved(instances->MakeTransform(instance), ReadGeometry(library.root / geometry));
 }
 
 }  // namespace armature

@@ -28,7 +28,7 @@ std::map<std::string, std::vector<RetrievedModel>> ReadRetrieval(const std::file
 
 // The model's surface in its centred object frame, metres. None: the library does not have the model, or no
 // surface of it. Throws InputError: a surface that is missing or malformed.
-std::optional<TriangleMesh> SurfaceOfModel(const InstanceLibrary& library, const std::string& category,
-                                           const std::string& name);
+std::optional<TriangleMesh> LoadModelSurface(const InstanceLibrary& library, const std::string& category,
+                                             const std::string& name);
 
 }  // namespace armature

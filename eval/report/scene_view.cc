@@ -21,7 +21,7 @@ constexpr double kCameraDepth = 0.12;           // metres, of a pyramid
 constexpr size_t kLeastCameras = 12;            // of a path with as many
 constexpr size_t kMostPoints = 1000;            // of a path
 
-std::vector<Vector3d> PathOf(const std::vector<TimedPose>& cameras) {
+std::vector<Vector3d> MakePath(const std::vector<TimedPose>& cameras) {
   const size_t step = std::max<size_t>(1, (cameras.size() + kMostPoints - 1) / kMostPoints);
   std::vector<Vector3d> path;
   for (size_t i = 0; i < cameras.size(); i += step) path.push_back(cameras[i].pose.translation());
@@ -48,13 +48,13 @@ std::vector<Eigen::Isometry3d> ShownCameras(const std::vector<TimedPose>& camera
   return spread;
 }
 
-std::vector<std::array<Vector3d, 5>> PyramidsOf(const std::vector<TimedPose>& cameras) {
+std::vector<std::array<Vector3d, 5>> MakePyramids(const std::vector<TimedPose>& cameras) {
   std::vector<std::array<Vector3d, 5>> pyramids;
   for (const Eigen::Isometry3d& pose : ShownCameras(cameras)) pyramids.push_back(Pyramid(pose));
   return pyramids;
 }
 
-std::vector<SceneView::Line> WireframeOf(const PlacedObject& object, const CategoryModel& model) {
+std::vector<SceneView::Line> MakeWireframe(const PlacedObject& object, const CategoryModel& model) {
   const Eigen::Map<const Eigen::VectorXd> shape(object.shape.data(),
                                                 static_cast<Eigen::Index>(object.shape.size()));
   const Wireframe wireframe = WireframeFromCoefficients(model, shape);
@@ -66,7 +66,7 @@ std::vector<SceneView::Line> WireframeOf(const PlacedObject& object, const Categ
   return lines;
 }
 
-std::vector<SceneView::Line> BoxOf(const TrueObject& object) {
+std::vector<SceneView::Line> MakeBox(const TrueObject& object) {
   const auto corner = [&](int number) {
     const Vector3d signs(number & 1 ? 0.5 : -0.5, number & 2 ? 0.5 : -0.5, number & 4 ? 0.5 : -0.5);
     return Vector3d(object.T_world_object * object.size.cwiseProduct(signs));
@@ -80,7 +80,7 @@ std::vector<SceneView::Line> BoxOf(const TrueObject& object) {
   return lines;
 }
 
-const TrueObject* TrueObjectOf(const SequenceRuns& sequence, const std::string& id) {
+const TrueObject* FindTrueObject(const SequenceRuns& sequence, const std::string& id) {
   for (const TrueObject& truth : sequence.truth->truth.objects) {
     if (truth.id == id) return &truth;
   }
@@ -106,7 +106,7 @@ struct SceneParts {
 TriangleMesh PlacedSurface(const SceneParts& parts, size_t object, const RetrievedModel& model,
                            std::vector<std::string>& remarks) {
   const PlacedObject& shown = parts.sequence.runs.front().map->objects[object];
-  const auto surface = SurfaceOfModel(parts.library, shown.category, model.name);
+  const auto surface = LoadModelSurface(parts.library, shown.category, model.name);
   if (!surface) return {};
   if (surface->size() > kMostTriangles) {
     remarks.push_back(fmt::format("{}: {} has {} triangles and is left out of the 3D view",
@@ -138,7 +138,7 @@ void PlaceNearest(const SceneParts& parts, size_t number, SceneView::Object& obj
 
 void AddTrueBoxes(const SequenceRuns& sequence, SceneView& scene) {
   for (const EvaluatedObject& evaluated : sequence.runs.front().map->evaluated) {
-    const TrueObject* truth = TrueObjectOf(sequence, evaluated.true_id);
+    const TrueObject* truth = FindTrueObject(sequence, evaluated.true_id);
     if (truth == nullptr) continue;
     auto object = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const SceneView::Object& o) {
       return !evaluated.map_id.empty() && o.id == evaluated.map_id;
@@ -148,14 +148,14 @@ void AddTrueBoxes(const SequenceRuns& sequence, SceneView& scene) {
       object->id = truth->id + " (not found)";
       object->category = truth->category;
     }
-    object->true_box = BoxOf(*truth);
+    object->true_box = MakeBox(*truth);
   }
 }
 
 }  // namespace
 
-std::optional<SceneView> SceneViewOf(const SequenceRuns& sequence, const std::vector<CategoryModel>& models,
-                                     const InstanceLibrary& library, std::vector<std::string>& remarks) {
+std::optional<SceneView> MakeSceneView(const SequenceRuns& sequence, const std::vector<CategoryModel>& models,
+                                       const InstanceLibrary& library, std::vector<std::string>& remarks) {
   const LoadedRun& run = sequence.runs.front();
   if (!run.map) return std::nullopt;
   const SceneParts parts{sequence, library, ReadRetrieval(run.results.folder),
@@ -164,8 +164,8 @@ std::optional<SceneView> SceneViewOf(const SequenceRuns& sequence, const std::ve
   scene.sequence = sequence.name;
   scene.run = run.name;
   scene.up = sequence.up;
-  scene.path = PathOf(run.map->T_world_camera);
-  scene.cameras = PyramidsOf(run.map->T_world_camera);
+  scene.path = MakePath(run.map->T_world_camera);
+  scene.cameras = MakePyramids(run.map->T_world_camera);
   for (size_t i = 0; i < run.map->objects.size(); ++i) {
     const PlacedObject& object = run.map->objects[i];
     const CategoryModel* model = FindCategory(models, object.category);  // there is one: LoadSequenceRuns
@@ -173,11 +173,11 @@ std::optional<SceneView> SceneViewOf(const SequenceRuns& sequence, const std::ve
     shown.id = object.id;
     shown.category = object.category;
     shown.model = object.instance;
-    shown.wireframe = WireframeOf(object, *model);
+    shown.wireframe = MakeWireframe(object, *model);
     PlaceNearest(parts, i, shown, remarks);
   }
   if (sequence.truth) {
-    scene.true_path = PathOf(sequence.truth->truth.T_world_camera);
+    scene.true_path = MakePath(sequence.truth->truth.T_world_camera);
     AddTrueBoxes(sequence, scene);
   }
   return scene;

@@ -14,7 +14,7 @@ namespace armature {
 // Of the first run, in the true world where there is a truth; true objects that the map misses are there with
 // their box alone. None: the run has no map. `remarks`: surfaces that are left out. Throws InputError: a
 // malformed file.
-std::optional<SceneView> SceneViewOf(const SequenceRuns& sequence, const std::vector<CategoryModel>& models,
-                                     const InstanceLibrary& library, std::vector<std::string>& remarks);
+std::optional<SceneView> MakeSceneView(const SequenceRuns& sequence, const std::vector<CategoryModel>& models,
+                                       const InstanceLibrary& library, std::vector<std::string>& remarks);
 
 }  // namespace armature

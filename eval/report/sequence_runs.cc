@@ -79,7 +79,7 @@ void BringToTruth(const SequenceTruth& truth, const std::vector<CategorySpec>& s
   }
 }
 
-LoadedRun LoadRunOf(const ReportSources::Run& source, const ReportSources& sources) {
+LoadedRun LoadSourceRun(const ReportSources::Run& source, const ReportSources& sources) {
   LoadedRun run{source.name, LoadRun(source.folder), ReadRunConfiguration(source.folder), {}, {}};
   run.map = OwnMap(run, false);
   run.odometry = OwnMap(run, true);
@@ -89,7 +89,7 @@ LoadedRun LoadRunOf(const ReportSources::Run& source, const ReportSources& sourc
   return run;
 }
 
-Eigen::Vector3d UpOfSequence(const SequenceRuns& sequence) {
+Eigen::Vector3d FindUp(const SequenceRuns& sequence) {
   Eigen::Vector3d sum(0, 0, 0);
   if (sequence.truth) {
     for (const TrueObject& object : sequence.truth->truth.objects)
@@ -115,10 +115,10 @@ SequenceRuns StartSequence(const std::string& name, const fs::path& folder,
 }  // namespace
 
 std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::vector<std::string>& remarks) {
-  const std::vector<CategorySpec> specs = SpecsOf(sources.models);
+  const std::vector<CategorySpec> specs = CollectSpecs(sources.models);
   std::vector<SequenceRuns> sequences;
   for (const ReportSources::Run& source : sources.runs) {
-    LoadedRun run = LoadRunOf(source, sources);
+    LoadedRun run = LoadSourceRun(source, sources);
     const std::string& name = run.results.sequence;
     auto found = std::find_if(sequences.begin(), sequences.end(),
                               [&](const SequenceRuns& sequence) { return sequence.name == name; });
@@ -127,7 +127,7 @@ std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::ve
     if (found->truth) BringToTruth(*found->truth, specs, run);
     found->runs.push_back(std::move(run));
   }
-  for (SequenceRuns& sequence : sequences) sequence.up = UpOfSequence(sequence);
+  for (SequenceRuns& sequence : sequences) sequence.up = FindUp(sequence);
   return sequences;
 }
 
@@ -138,7 +138,7 @@ const CategoryModel* FindCategory(const std::vector<CategoryModel>& models, cons
 }
 
 const TimedPose* CameraAt(const ShownMap& map, double timestamp) {
-  const std::optional<size_t> index = IndexOfStamp(map.T_world_camera, timestamp);
+  const std::optional<size_t> index = FindStamp(map.T_world_camera, timestamp);
   return index ? &map.T_world_camera[*index] : nullptr;
 }
 

@@ -34,7 +34,7 @@ std::vector<std::string> TextsMember(const Json& json, const char* name, const s
   return found->get<std::vector<std::string>>();
 }
 
-Cell CellOfJson(const Json& row, const std::string& column, const std::string& where) {
+Cell MakeCell(const Json& row, const std::string& column, const std::string& where) {
   const auto found = row.find(column);
   if (found == row.end()) Reject(where, fmt::format("a row has no {}", Quoted(column)));
   if (found->is_null()) return NoCell();
@@ -44,7 +44,7 @@ Cell CellOfJson(const Json& row, const std::string& column, const std::string& w
 }
 
 // Digits after the point; 0 of whole numbers and of those with an exponent.
-size_t DigitsOf(const Cell& cell) {
+size_t CountDigits(const Cell& cell) {
   const size_t point = cell.text.find('.');
   if (!cell.is_number || point == std::string::npos || cell.text.find('e') != std::string::npos) return 0;
   return cell.text.size() - point - 1;
@@ -53,9 +53,9 @@ size_t DigitsOf(const Cell& cell) {
 void RestoreZeros(Table& table) {
   for (size_t column = 0; column < table.columns.size(); ++column) {
     size_t digits = 0;
-    for (const auto& row : table.rows) digits = std::max(digits, DigitsOf(row[column]));
+    for (const auto& row : table.rows) digits = std::max(digits, CountDigits(row[column]));
     for (auto& row : table.rows) {
-      const size_t has = DigitsOf(row[column]);
+      const size_t has = CountDigits(row[column]);
       if (has > 0) row[column].text.append(digits - has, '0');
     }
   }
@@ -74,7 +74,7 @@ Table TableFromJson(const Json& json, const std::string& where) {
   for (const Json& row : *rows) {
     if (!row.is_object()) Reject(where, "a row is no object");
     std::vector<Cell>& cells = table.rows.emplace_back();
-    for (const std::string& column : table.columns) cells.push_back(CellOfJson(row, column, where));
+    for (const std::string& column : table.columns) cells.push_back(MakeCell(row, column, where));
   }
   if (table.name != "paper") RestoreZeros(table);  // the paper's own numbers have digits as printed
   return table;

@@ -38,19 +38,19 @@ MapLayer::Object ObjectOnPage(const std::string& id, const std::string& category
   return object;
 }
 
-std::optional<double> ErrorOf(const ShownMap& map, const std::string& id) {
+std::optional<double> FindError(const ShownMap& map, const std::string& id) {
   for (const EvaluatedObject& object : map.evaluated) {
     if (object.map_id == id && object.error) return object.error->centre_m;
   }
   return std::nullopt;
 }
 
-MapLayer LayerOf(const std::string& name, const ShownMap& map, const ToPage& to_page) {
+MapLayer MakeLayer(const std::string& name, const ShownMap& map, const ToPage& to_page) {
   MapLayer layer{name, PathOnPage(map.T_world_camera, to_page), {}};
   for (const PlacedObject& object : map.objects) {
     layer.objects.push_back(
         ObjectOnPage(object.id, object.category, object.T_world_object, object.size, to_page));
-    layer.objects.back().error_m = ErrorOf(map, object.id);
+    layer.objects.back().error_m = FindError(map, object.id);
   }
   return layer;
 }
@@ -87,21 +87,21 @@ ToPage PageFromWorld(const Eigen::Vector3d& up) {
   return to_page;
 }
 
-std::optional<TopDownMap> TopDownMapOf(const SequenceRuns& sequence) {
+std::optional<TopDownMap> MakeTopDownMap(const SequenceRuns& sequence) {
   const ToPage to_page = PageFromWorld(sequence.up);
   TopDownMap map;
   map.sequence = sequence.name;
   for (const LoadedRun* run : Ordered(sequence.runs)) {
     if (run->map)
       map.estimates.push_back(
-          LayerOf(fmt::format("{}: {}", run->name, run->map->approach), *run->map, to_page));
+          MakeLayer(fmt::format("{}: {}", run->name, run->map->approach), *run->map, to_page));
   }
   if (map.estimates.empty()) return std::nullopt;
   if (const LoadedRun& first = sequence.runs.front(); first.odometry) {
     const auto others =
         std::find_if(map.estimates.begin() + 1, map.estimates.end(),
                      [](const MapLayer& layer) { return !layer.name.ends_with("no loop closure"); });
-    map.estimates.insert(others, LayerOf("odometry only", *first.odometry, to_page));
+    map.estimates.insert(others, MakeLayer("odometry only", *first.odometry, to_page));
   }
   if (sequence.truth) map.truth = TrueLayer(sequence.truth->truth, to_page);
   map.note = sequence.truth

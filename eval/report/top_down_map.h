@@ -15,6 +15,6 @@ Eigen::Matrix<double, 2, 3> PageFromWorld(const Eigen::Vector3d& up);
 
 // First the map of the first run, next to it that of the next run without loop closure, else the first run's
 // objects placed by odometry, then the others. None where no run has a map.
-std::optional<TopDownMap> TopDownMapOf(const SequenceRuns& sequence);
+std::optional<TopDownMap> MakeTopDownMap(const SequenceRuns& sequence);
 
 }  // namespace armature

@@ -36,7 +36,7 @@ InstanceLibrary ReadNamedLibrary(const RetrievalTableArguments& arguments,
 }
 
 // As shown, one a run.
-std::vector<std::string> NamesOfRuns(const std::vector<RunToEvaluate>& runs) {
+std::vector<std::string> ListRunNames(const std::vector<RunToEvaluate>& runs) {
   std::map<std::string, std::vector<size_t>> of_sequence;
   for (size_t i = 0; i < runs.size(); ++i) of_sequence[runs[i].run.sequence].push_back(i);
   std::vector<std::string> names(runs.size());
@@ -59,7 +59,7 @@ void CheckHasShapes(const RunToEvaluate& run) {
 }
 
 // Each image is read once. The queries point to sequence and models.
-std::vector<RetrievalQuery> QueriesOfRun(const RunToEvaluate& run, const Sequence& sequence,
+std::vector<RetrievalQuery> MakeRunQuery(const RunToEvaluate& run, const Sequence& sequence,
                                          const std::vector<CategoryModel>& models, int most_views) {
   const fs::path& folder = run.run.folder;
   const RunResults results = LoadRun(folder);
@@ -67,20 +67,20 @@ std::vector<RetrievalQuery> QueriesOfRun(const RunToEvaluate& run, const Sequenc
   const GroundTruth truth = LoadGroundTruth(run.truth);
   const ObjectPairs pairs = PairsBySight(map, results, truth);
   const ViewsOfCameras views =
-      ViewsOf(map, CamerasOf(map, pairs, most_views), sequence, models, ReadRunOptions(folder));
-  return QueriesOfMap(map, pairs, truth, views, most_views);
+      MakeViews(map, PickCameras(map, pairs, most_views), sequence, models, ReadRunOptions(folder));
+  return MakeMapQueries(map, pairs, truth, views, most_views);
 }
 
 // Sequences are added: the queries point to them.
-std::vector<RetrievalQuery> QueriesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                          const std::vector<CategoryModel>& models,
-                                          std::deque<Sequence>& sequences) {
+std::vector<RetrievalQuery> MakeRunQueries(const std::vector<RunToEvaluate>& runs,
+                                           const std::vector<CategoryModel>& models,
+                                           std::deque<Sequence>& sequences) {
   for (const RunToEvaluate& run : runs) CheckHasShapes(run);
-  const std::vector<std::string> names = NamesOfRuns(runs);
+  const std::vector<std::string> names = ListRunNames(runs);
   std::vector<RetrievalQuery> all;
   for (size_t i = 0; i < runs.size(); ++i) {
     sequences.push_back(LoadSequence(runs[i].truth, CategoryNames(models)));
-    for (RetrievalQuery& query : QueriesOfRun(runs[i], sequences.back(), models, RetrievalOptions().views)) {
+    for (RetrievalQuery& query : MakeRunQuery(runs[i], sequences.back(), models, RetrievalOptions().views)) {
       query.run = names[i];
       query.sequence = runs[i].run.sequence;
       all.push_back(std::move(query));
@@ -130,15 +130,15 @@ void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& a) {
   command.add_option("--seed", a.seed, "table library: of the noise")->capture_default_str();
 }
 
-std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                         const std::vector<CategoryModel>& models,
-                                         const std::vector<std::string>& names, const fs::path& cad,
-                                         const RetrievalTableArguments& arguments) {
+std::vector<Table> MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
+                                          const std::vector<CategoryModel>& models,
+                                          const std::vector<std::string>& names, const fs::path& cad,
+                                          const RetrievalTableArguments& arguments) {
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
   std::optional<InstanceLibrary> of_cad;
-  if (!cad.empty()) of_cad = LibraryOfFolder(cad, models);
+  if (!cad.empty()) of_cad = BuildFolderLibrary(cad, models);
   std::deque<Sequence> sequences;
-  EvaluatedQueries evaluated{QueriesOfRuns(runs, models, sequences), {}};
+  EvaluatedQueries evaluated{MakeRunQueries(runs, models, sequences), {}};
   RetrievalEvaluation evaluation(evaluated.queries, models, library, of_cad ? *of_cad : library,
                                  kSurfacePoints);
   std::vector<RetrievalVariant> variants = VariantsForSeen();
@@ -158,13 +158,13 @@ std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
   return tables;
 }
 
-Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments) {
+Table MakeLibraryTable(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments) {
   CheckArguments(arguments);
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
   EvaluatedQueries evaluated;
   for (const CategoryInstances& instances : library.categories) {
     for (RetrievalQuery& query :
-         QueriesOfLibrary(instances, arguments.every, arguments.noise, arguments.seed))
+         MakeLibraryQueries(instances, arguments.every, arguments.noise, arguments.seed))
       evaluated.queries.push_back(std::move(query));
   }
   RetrievalEvaluation evaluation(evaluated.queries, models, library, library, kSurfacePoints);

@@ -31,14 +31,14 @@ void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& argu
 // The named tables, each over all runs. `cad`: folder of the true CAD models, also of those that the library
 // does not have; empty: the library has them. Throws InputError: no library, one that is not of the models,
 // runs without the files or the images that retrieval looks at.
-std::vector<Table> RetrievalTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                         const std::vector<CategoryModel>& models,
-                                         const std::vector<std::string>& names,
-                                         const std::filesystem::path& cad,
-                                         const RetrievalTableArguments& arguments);
+std::vector<Table> MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
+                                          const std::vector<CategoryModel>& models,
+                                          const std::vector<std::string>& names,
+                                          const std::filesystem::path& cad,
+                                          const RetrievalTableArguments& arguments);
 
 // The library's instances as queries, without any run. Throws InputError: no library, one that is not of the
 // models, a bad argument.
-Table TableOfLibrary(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments);
+Table MakeLibraryTable(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments);
 
 }  // namespace armature

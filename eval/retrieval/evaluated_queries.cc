@@ -6,7 +6,7 @@
 
 namespace armature {
 
-const std::vector<RetrievalOutcome>& EvaluatedQueries::OutcomesOf(const std::string& variant) const {
+const std::vector<RetrievalOutcome>& EvaluatedQueries::GetOutcomes(const std::string& variant) const {
   for (const EvaluatedVariant& evaluated : variants) {
     if (evaluated.variant.name == variant) return evaluated.outcomes;
   }
@@ -28,8 +28,8 @@ QuerySet Where(const EvaluatedQueries& evaluated, const QuerySet& among, QueryFi
   return chosen;
 }
 
-std::vector<std::string> ValuesOf(const EvaluatedQueries& evaluated, const QuerySet& among,
-                                  QueryField field) {
+std::vector<std::string> CollectValues(const EvaluatedQueries& evaluated, const QuerySet& among,
+                                       QueryField field) {
   std::vector<std::string> values;
   for (const size_t i : among) {
     const std::string& value = evaluated.queries[i].*field;

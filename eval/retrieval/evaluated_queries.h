@@ -21,7 +21,7 @@ struct EvaluatedQueries {
   std::vector<RetrievalBaselines> baselines{};  // one a query; empty: not asked for
 
   // Throws std::logic_error when the variant was not evaluated.
-  const std::vector<RetrievalOutcome>& OutcomesOf(const std::string& variant) const;
+  const std::vector<RetrievalOutcome>& GetOutcomes(const std::string& variant) const;
 };
 
 // Positions of queries, rising.
@@ -37,7 +37,8 @@ QuerySet Where(const EvaluatedQueries& evaluated, const QuerySet& among, QueryFi
                const std::string& value);
 
 // In the order in which they are met.
-std::vector<std::string> ValuesOf(const EvaluatedQueries& evaluated, const QuerySet& among, QueryField field);
+std::vector<std::string> CollectValues(const EvaluatedQueries& evaluated, const QuerySet& among,
+                                       QueryField field);
 
 template <typename T>
 std::vector<T> Chosen(const std::vector<T>& of_all, const QuerySet& chosen) {

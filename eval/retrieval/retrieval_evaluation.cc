@@ -112,7 +112,7 @@ RetrievalEvaluation::RetrievalEvaluation(const std::vector<RetrievalQuery>& quer
   }
   for (const RetrievalQuery& query : queries) {
     ThrowIfInterrupted();
-    Add(query, ModelOf(models, query.category), true_models);
+    Add(query, LookUpModel(models, query.category), true_models);
   }
 }
 
@@ -129,8 +129,8 @@ void RetrievalEvaluation::Add(const RetrievalQuery& query, const CategoryModel& 
   const CategoryInstances* known = true_models.Of(query.category);
   if (const int i = known ? known->Find(query.true_model) : -1; i >= 0) {
     const Eigen::Vector3d scale = query.true_size.cwiseQuotient(known->sizes.col(i).cast<double>());
-    asked.true_shape = TrueShape(model, known->WireframeOf(i), scale, query.true_size);
-    true_surface = SurfaceOf(true_models, *known, i, scale, points_);
+    asked.true_shape = TrueShape(model, known->MakeWireframe(i), scale, query.true_size);
+    true_surface = FindSurface(true_models, *known, i, scale, points_);
   }
   asked.distances.emplace(std::move(true_surface), *asked.instances, surfaces_);
 }
@@ -141,7 +141,7 @@ RetrievalOutcome RetrievalEvaluation::Judge(Asked& asked, const std::vector<int>
                                             const std::vector<int>& by_truth) {
   const std::vector<int> others = asked.Others(ranking);
   RetrievalOutcome outcome;
-  outcome.rank = RankOf(asked.true_instance, ranking);
+  outcome.rank = FindRank(asked.true_instance, ranking);
   if (!others.empty()) outcome.first_other = others.front();
   outcome.retrieved = FirstSurface(others, *asked.distances);
   outcome.best_of_five = NearestSurface(others, *asked.distances);

@@ -18,7 +18,7 @@ ObjectPairs PairsBySight(const Map& map, const RunResults& run, const GroundTrut
   return MatchByDetections(placed, run, truth);
 }
 
-std::vector<size_t> CamerasOf(const Map& map, const ObjectPairs& pairs, int most_views) {
+std::vector<size_t> PickCameras(const Map& map, const ObjectPairs& pairs, int most_views) {
   std::set<size_t> cameras;
   for (const auto& [object, of_truth] : pairs) {
     for (const Sighting& sighting : SightingsToLookAt(map, object, most_views))
@@ -27,9 +27,9 @@ std::vector<size_t> CamerasOf(const Map& map, const ObjectPairs& pairs, int most
   return {cameras.begin(), cameras.end()};
 }
 
-std::vector<RetrievalQuery> QueriesOfMap(const Map& map, const ObjectPairs& pairs, const GroundTruth& truth,
-                                         const ViewsOfCameras& views, int most_views) {
-  const Eigen::Vector3d up_world = UpOf(map);
+std::vector<RetrievalQuery> MakeMapQueries(const Map& map, const ObjectPairs& pairs, const GroundTruth& truth,
+                                           const ViewsOfCameras& views, int most_views) {
+  const Eigen::Vector3d up_world = EstimateUp(map);
   std::vector<RetrievalQuery> queries;
   for (const auto& [object, of_truth] : pairs) {
     const TrueObject& true_object = truth.objects[of_truth];
@@ -46,8 +46,8 @@ std::vector<RetrievalQuery> QueriesOfMap(const Map& map, const ObjectPairs& pair
   return queries;
 }
 
-std::vector<RetrievalQuery> QueriesOfLibrary(const CategoryInstances& instances, int every, double noise,
-                                             std::uint64_t seed) {
+std::vector<RetrievalQuery> MakeLibraryQueries(const CategoryInstances& instances, int every, double noise,
+                                               std::uint64_t seed) {
   Random random(seed);
   std::vector<RetrievalQuery> queries;
   for (int i = 0; i < instances.size(); i += every) {

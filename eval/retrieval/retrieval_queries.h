@@ -33,17 +33,17 @@ struct RetrievalQuery {
 // object stands is no matter of retrieval.
 ObjectPairs PairsBySight(const Map& map, const RunResults& run, const GroundTruth& truth);
 
-// The cameras whose views QueriesOfMap needs, rising.
-std::vector<size_t> CamerasOf(const Map& map, const ObjectPairs& pairs, int most_views);
+// The cameras whose views MakeMapQueries needs, rising.
+std::vector<size_t> PickCameras(const Map& map, const ObjectPairs& pairs, int most_views);
 
-// A query a pair whose true object names its CAD model. `views` has CamerasOf; at most `most_views` of them
+// A query a pair whose true object names its CAD model. `views` has PickCameras; at most `most_views` of them
 // an object. The sightings point to what the views point to.
-std::vector<RetrievalQuery> QueriesOfMap(const Map& map, const ObjectPairs& pairs, const GroundTruth& truth,
-                                         const ViewsOfCameras& views, int most_views);
+std::vector<RetrievalQuery> MakeMapQueries(const Map& map, const ObjectPairs& pairs, const GroundTruth& truth,
+                                           const ViewsOfCameras& views, int most_views);
 
 // Instances of a library as queries, without any images: each `every`-th of the category (the first one
 // first), its coefficients with normal noise of so many standard deviations on each.
-std::vector<RetrievalQuery> QueriesOfLibrary(const CategoryInstances& instances, int every, double noise,
-                                             std::uint64_t seed);
+std::vector<RetrievalQuery> MakeLibraryQueries(const CategoryInstances& instances, int every, double noise,
+                                               std::uint64_t seed);
 
 }  // namespace armature

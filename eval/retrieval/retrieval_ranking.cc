@@ -32,7 +32,7 @@ std::vector<int> InstanceRanking::Of(const ShapeQuery& query, const ObjectSighti
   return ranking;
 }
 
-std::optional<int> RankOf(int instance, const std::vector<int>& ranking) {
+std::optional<int> FindRank(int instance, const std::vector<int>& ranking) {
   const auto found = std::find(ranking.begin(), ranking.end(), instance);
   if (found == ranking.end()) return std::nullopt;
   return static_cast<int>(found - ranking.begin()) + 1;

@@ -24,6 +24,6 @@ class InstanceRanking {
 };
 
 // The place of an instance in the ranking, from 1; none: it is not in it.
-std::optional<int> RankOf(int instance, const std::vector<int>& ranking);
+std::optional<int> FindRank(int instance, const std::vector<int>& ranking);
 
 }  // namespace armature

@@ -17,17 +17,17 @@ bool HasSurface(const InstanceLibrary& library, const CategoryInstances& instanc
   return !geometry.empty() && std::filesystem::exists(library.root / geometry.substr(0, geometry.rfind('#')));
 }
 
-std::optional<SurfacePoints> SurfaceOf(const InstanceLibrary& library, const CategoryInstances& instances,
-                                       int instance, const Eigen::Vector3d& scale, int points) {
+std::optional<SurfacePoints> FindSurface(const InstanceLibrary& library, const CategoryInstances& instances,
+                                         int instance, const Eigen::Vector3d& scale, int points) {
   if (!HasSurface(library, instances, instance)) return std::nullopt;
   const std::filesystem::path geometry = library.root / instances.geometries[static_cast<size_t>(instance)];
-  const Eigen::Affine3d T = Eigen::Scaling(scale) * instances.TransformOf(instance);
+  const Eigen::Affine3d T = Eigen::Scaling(scale) * instances.MakeTransform(instance);
   return SurfacePoints(SampleSurface(Moved(T, ReadGeometry(geometry)), points, kSurfaceSeed));
 }
 
 const SurfacePoints* LibrarySurfaces::Of(const CategoryInstances& instances, int instance) {
   const auto [entry, is_new] = surfaces_.try_emplace({instances.category, instance});
-  if (is_new) entry->second = SurfaceOf(library_, instances, instance, Eigen::Vector3d::Ones(), points_);
+  if (is_new) entry->second = FindSurface(library_, instances, instance, Eigen::Vector3d::Ones(), points_);
   return entry->second ? &*entry->second : nullptr;
 }
 

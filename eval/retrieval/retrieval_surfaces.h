@@ -22,8 +22,8 @@ bool HasSurface(const InstanceLibrary& library, const CategoryInstances& instanc
 
 // Points on the instance's surface in its centred object frame, metres, stretched by `scale` along the axes.
 // None where it has none. Throws InputError: a malformed file.
-std::optional<SurfacePoints> SurfaceOf(const InstanceLibrary& library, const CategoryInstances& instances,
-                                       int instance, const Eigen::Vector3d& scale, int points);
+std::optional<SurfacePoints> FindSurface(const InstanceLibrary& library, const CategoryInstances& instances,
+                                         int instance, const Eigen::Vector3d& scale, int points);
 
 // The surfaces of a library as they are; each is read when it is first asked for, and kept.
 class LibrarySurfaces {
@@ -31,7 +31,7 @@ class LibrarySurfaces {
   // Keeps a reference. `points` on each surface.
   LibrarySurfaces(const InstanceLibrary& library, int points) : library_(library), points_(points) {}
 
-  // Null where SurfaceOf has none.
+  // Null where FindSurface has none.
   const SurfacePoints* Of(const CategoryInstances& instances, int instance);
 
  private:

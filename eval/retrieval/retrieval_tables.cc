@@ -9,14 +9,14 @@ namespace armature {
 namespace {
 
 std::vector<std::string> CategoriesAmong(const EvaluatedQueries& evaluated, const QuerySet& among) {
-  std::vector<std::string> categories = ValuesOf(evaluated, among, &RetrievalQuery::category);
+  std::vector<std::string> categories = CollectValues(evaluated, among, &RetrievalQuery::category);
   std::sort(categories.begin(), categories.end());
   return categories;
 }
 
 std::vector<Cell> SummaryCells(std::vector<Cell> row, const EvaluatedQueries& evaluated,
                                const QuerySet& queries) {
-  const RetrievalSummary s = Summarise(Chosen(evaluated.OutcomesOf(kDefaultVariant), queries));
+  const RetrievalSummary s = Summarise(Chosen(evaluated.GetOutcomes(kDefaultVariant), queries));
   const BaselineSummary baselines = Summarise(Chosen(evaluated.baselines, queries));
   PushRanks(s, row);
   PushDistances(s, row);
@@ -62,7 +62,7 @@ void PushCategories(const std::string& run, const std::string& sequence, const E
 
 Cell RankCell(const std::optional<int>& rank) { return rank ? CountCell(*rank) : NoCell(); }
 
-std::string IdOf(const InstanceLibrary& library, const std::string& category, int instance) {
+std::string FindId(const InstanceLibrary& library, const std::string& category, int instance) {
   const CategoryInstances* instances = library.Of(category);
   return instances && instance >= 0 ? instances->ids[static_cast<size_t>(instance)] : "";
 }
@@ -75,9 +75,9 @@ Table RetrievalTable(const EvaluatedQueries& evaluated) {
   table.name = "retrieval";
   table.columns = SummaryColumns();
   const QuerySet all = AllQueries(evaluated);
-  for (const std::string& run : ValuesOf(evaluated, all, &RetrievalQuery::run)) {
+  for (const std::string& run : CollectValues(evaluated, all, &RetrievalQuery::run)) {
     const QuerySet of_run = Where(evaluated, all, &RetrievalQuery::run, run);
-    const std::vector<std::string> sequences = ValuesOf(evaluated, of_run, &RetrievalQuery::sequence);
+    const std::vector<std::string> sequences = CollectValues(evaluated, of_run, &RetrievalQuery::sequence);
     for (const std::string& sequence : sequences)
       PushCategories(run, sequence, evaluated, Where(evaluated, of_run, &RetrievalQuery::sequence, sequence),
                      table);
@@ -103,16 +103,16 @@ Table EachQueryTable(const EvaluatedQueries& evaluated, const InstanceLibrary& l
   table.columns = {"run",         "sequence",        "object",         "true model",
                    "rank k-NN",   "rank covariance", "rank re-ranked", "first other",
                    "Chamfer [cm]"};
-  const auto& plain = evaluated.OutcomesOf(kPlainVariant);
-  const auto& covariance = evaluated.OutcomesOf(kCovarianceVariant);
-  const auto& reranked = evaluated.OutcomesOf(kDefaultVariant);
+  const auto& plain = evaluated.GetOutcomes(kPlainVariant);
+  const auto& covariance = evaluated.GetOutcomes(kCovarianceVariant);
+  const auto& reranked = evaluated.GetOutcomes(kDefaultVariant);
   for (size_t i = 0; i < evaluated.queries.size(); ++i) {
     const RetrievalQuery& query = evaluated.queries[i];
     const std::optional<SurfaceDistance>& distance = reranked[i].retrieved;
     table.rows.push_back({TextCell(query.run), TextCell(query.sequence), TextCell(query.object),
                           TextCell(query.true_model), RankCell(plain[i].rank), RankCell(covariance[i].rank),
                           RankCell(reranked[i].rank),
-                          TextCell(IdOf(library, query.category, reranked[i].first_other)),
+                          TextCell(FindId(library, query.category, reranked[i].first_other)),
                           distance ? Centimetres(distance->chamfer) : NoCell()});
   }
   AppendNotes(

@@ -15,12 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 // A run without odometry has a trajectory without poses.
-std::vector<TimedPose> CameraPathOf(const fs::path& run) {
+std::vector<TimedPose> ReadCameraPath(const fs::path& run) {
   const fs::path file = run / "trajectory.txt";
   return ReadTextLines(file).empty() ? std::vector<TimedPose>{} : ReadTumTrajectory(file);
 }
 
-std::vector<PlacedObject> ObjectsOf(const fs::path& run) {
+std::vector<PlacedObject> LoadObjects(const fs::path& run) {
   const fs::path file = run / "objects.csv";
   return fs::exists(file) ? ReadPlacedObjects(file) : std::vector<PlacedObject>{};
 }
@@ -32,7 +32,7 @@ void AddDistance(ComparedValues& distances, const ValueKey& key, double distance
 std::vector<ComparedValues> ObjectDistances(const fs::path& run_a, const std::vector<PlacedObject>& map_b,
                                             const std::vector<CategorySpec>& specs, double gate_m) {
   GroundTruth a;
-  for (const PlacedObject& object : ObjectsOf(run_a))
+  for (const PlacedObject& object : LoadObjects(run_a))
     a.objects.push_back({object.id, object.category, object.instance, object.T_world_object, object.size});
   ComparedValues centres{"object centres [m]", 4, {}, 0, 0};
   ComparedValues azimuths{"object azimuths [deg]", 2, {}, 0, 0};
@@ -70,13 +70,13 @@ std::vector<Cell> DistanceRow(const ComparedValues& distances) {
 std::vector<ComparedValues> ResultDistances(const fs::path& run_a, const fs::path& run_b,
                                             const std::vector<CategorySpec>& specs,
                                             const ObjectEvaluationOptions& options) {
-  const std::vector<TimedPose> cameras_a = CameraPathOf(run_a), cameras_b = CameraPathOf(run_b);
+  const std::vector<TimedPose> cameras_a = ReadCameraPath(run_a), cameras_b = ReadCameraPath(run_b);
   const TrajectoryEvaluation moved = EvaluateTrajectory(
       cameras_b, cameras_a,
       {.alignment = options.alignment, .first_n = options.first_n, .tolerance = options.tolerance});
   if (moved.poses.empty()) return {};
   std::vector<ComparedValues> distances =
-      ObjectDistances(run_a, Moved(ObjectsOf(run_b), moved.alignment), specs, options.gate_m);
+      ObjectDistances(run_a, Moved(LoadObjects(run_b), moved.alignment), specs, options.gate_m);
   ComparedValues& cameras = distances.emplace_back(ComparedValues{kCameraDistance, 4, {}, 0, 0});
   for (const PoseError& pose : moved.poses)
     AddDistance(cameras, {"", Microseconds(pose.timestamp)}, pose.position);

@@ -38,7 +38,7 @@ void AddObjectErrors(const RunResults& run, const SequenceTruth& truth,
                      const std::vector<CategoryModel>& models, const ObjectEvaluationOptions& options,
                      std::vector<NamedValues>& errors) {
   NamedValues centres{"object centre error [m]", 4, {}}, azimuths{"object azimuth error [deg]", 2, {}};
-  const RunObjects objects = EvaluateRunObjects(run, truth, SpecsOf(models), options);
+  const RunObjects objects = EvaluateRunObjects(run, truth, CollectSpecs(models), options);
   if (objects.maps.empty()) return;
   for (const EvaluatedObject& object : objects.maps.back().by_distance) {
     if (!object.error || object.true_id.empty()) continue;
@@ -65,13 +65,13 @@ void AddViewErrors(const RunResults& run, const SequenceTruth& truth,
 
 }  // namespace
 
-std::vector<NamedValues> ErrorsOfRun(const fs::path& run, const fs::path& truth,
-                                     const std::vector<CategoryModel>& models,
-                                     const ObjectEvaluationOptions& options) {
+std::vector<NamedValues> ComputeRunErrors(const fs::path& run, const fs::path& truth,
+                                          const std::vector<CategoryModel>& models,
+                                          const ObjectEvaluationOptions& options) {
   std::vector<NamedValues> errors;
   if (!fs::exists(truth / "groundtruth.txt")) return errors;
   if (fs::exists(truth / "objects_gt.csv")) {
-    const SequenceTruth sequence = LoadSequenceTruth(truth, SpecsOf(models));
+    const SequenceTruth sequence = LoadSequenceTruth(truth, CollectSpecs(models));
     const RunResults results = LoadRun(run);
     AddObjectErrors(results, sequence, models, options, errors);
     AddViewErrors(results, sequence, models, errors);
@@ -80,7 +80,7 @@ std::vector<NamedValues> ErrorsOfRun(const fs::path& run, const fs::path& truth,
   return errors;
 }
 
-std::vector<NamedValues> TimesOfRun(const fs::path& run) {
+std::vector<NamedValues> ReadRunTimes(const fs::path& run) {
   const CsvTable table(run / "timings.csv", {"timestamp"});
   std::vector<NamedValues> times;
   for (const std::string stage : {"total", "lines", "association", "optimization", "mapping", kLoad}) {
@@ -95,7 +95,7 @@ std::vector<NamedValues> TimesOfRun(const fs::path& run) {
 
 std::optional<std::string> PaceRemark(const std::vector<ComparedValues>& compared) {
   for (const ComparedValues& values : compared) {
-    const auto difference = values.name == TimeName(kLoad) ? DifferenceOf(values) : std::nullopt;
+    const auto difference = values.name == TimeName(kLoad) ? ComputeDifference(values) : std::nullopt;
     const auto mark = difference ? difference->mark : DifferenceMark::kTooFew;
     if (mark != DifferenceMark::kLower && mark != DifferenceMark::kHigher) continue;
     const double ratio = difference->median_b / difference->median_a;

@@ -17,12 +17,13 @@ namespace armature {
 // single views (objects_gt.csv, detections_gt.csv), and of the map's objects (all of them). The camera and
 // the map are brought to the truth as `options` say. Throws InputError: a malformed file, no camera at a time
 // of the truth, a true object's category without model.
-std::vector<NamedValues> ErrorsOfRun(const std::filesystem::path& run, const std::filesystem::path& truth,
-                                     const std::vector<CategoryModel>& models,
-                                     const ObjectEvaluationOptions& options);
+std::vector<NamedValues> ComputeRunErrors(const std::filesystem::path& run,
+                                          const std::filesystem::path& truth,
+                                          const std::vector<CategoryModel>& models,
+                                          const ObjectEvaluationOptions& options);
 
 // timings.csv of a run folder: milliseconds a frame, in all and a stage. Throws InputError: malformed.
-std::vector<NamedValues> TimesOfRun(const std::filesystem::path& run);
+std::vector<NamedValues> ReadRunTimes(const std::filesystem::path& run);
 
 // What loading the images tells of the machine, which no option changes: a line where it took longer in one
 // of two runs than in the other, by more than chance and more than 15 %. None where it did not.

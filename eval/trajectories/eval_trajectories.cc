@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 // Of a run folder, in the order of the rows.
 const std::vector<std::string> kTrajectories = {"trajectory", "odometry_scaled"};
 
-std::vector<TrajectoryOptions> OptionsOf(const TrajectoryArguments& arguments) {
+std::vector<TrajectoryOptions> MakeOptions(const TrajectoryArguments& arguments) {
   const auto check = [](bool holds, const std::string& message) {
     if (!holds) throw InputError(message);
   };
@@ -41,7 +41,7 @@ std::vector<TrajectoryOptions> OptionsOf(const TrajectoryArguments& arguments) {
 }
 
 // More where they cost nothing: a reader of these formats is a program.
-int DigitsOf(TableFormat format) {
+int CountDigits(TableFormat format) {
   return format == TableFormat::kCsv || format == TableFormat::kJson ? 12 : 4;
 }
 
@@ -89,7 +89,7 @@ std::vector<NamedTrajectory> EvaluateRuns(const std::string& sequence, const std
   return rows;
 }
 
-TrajectoryReading ReadingOf(const TrajectoryArguments& arguments, RepeatedStamps repeated) {
+TrajectoryReading MakeReading(const TrajectoryArguments& arguments, RepeatedStamps repeated) {
   TrajectoryReading reading{.format = TrajectoryFormatFromName(arguments.format), .repeated = repeated};
   if (!arguments.stamps.empty()) reading.stamps = ReadStamps(arguments.stamps);
   reading.rate = arguments.fps;
@@ -102,10 +102,10 @@ std::vector<TimedPose> ReadTruth(const std::vector<fs::path>& truth, const Traje
         fmt::format("--groundtruth: {} given; give one true trajectory to compare files with", truth.size()));
   }
   if (fs::is_directory(truth.front())) return LoadTrueTrajectory(truth.front());
-  return ReadTrajectory(truth.front(), ReadingOf(arguments, RepeatedStamps::kKept));
+  return ReadTrajectory(truth.front(), MakeReading(arguments, RepeatedStamps::kKept));
 }
 
-std::string NameOf(const fs::path& truth) {
+std::string FormatName(const fs::path& truth) {
   const fs::path path = fs::absolute(truth).lexically_normal();
   return (path.has_filename() ? path : path.parent_path()).stem().string();
 }
@@ -116,7 +116,7 @@ std::vector<Table> Finished(const std::map<std::string, std::vector<NamedTraject
   std::vector<Table> tables;
   tables.reserve(by_sequence.size());
   for (const auto& [sequence, rows] : by_sequence) {
-    tables.push_back(TrajectoryTable(sequence, rows, DigitsOf(format)));
+    tables.push_back(TrajectoryTable(sequence, rows, CountDigits(format)));
   }
   return tables;
 }
@@ -150,9 +150,9 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> TrajectoryTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                          const TrajectoryArguments& arguments, TableFormat format) {
-  const std::vector<TrajectoryOptions> options = OptionsOf(arguments);
+std::vector<Table> MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
+                                           const TrajectoryArguments& arguments, TableFormat format) {
+  const std::vector<TrajectoryOptions> options = MakeOptions(arguments);
   std::map<std::string, std::vector<RunToEvaluate>> runs_of;
   for (const RunToEvaluate& run : runs) runs_of[run.run.sequence].push_back(run);
   std::map<std::string, std::vector<NamedTrajectory>> by_sequence;
@@ -162,17 +162,17 @@ std::vector<Table> TrajectoryTablesOfRuns(const std::vector<RunToEvaluate>& runs
   return Finished(by_sequence, arguments, format);
 }
 
-std::vector<Table> TrajectoryTablesOfFiles(const std::vector<fs::path>& files,
-                                           const std::vector<fs::path>& truth,
-                                           const TrajectoryArguments& arguments, TableFormat format) {
-  const std::vector<TrajectoryOptions> options = OptionsOf(arguments);
+std::vector<Table> MakeFileTrajectoryTables(const std::vector<fs::path>& files,
+                                            const std::vector<fs::path>& truth,
+                                            const TrajectoryArguments& arguments, TableFormat format) {
+  const std::vector<TrajectoryOptions> options = MakeOptions(arguments);
   const std::vector<TimedPose> true_poses = ReadTruth(truth, arguments);
   std::vector<NamedTrajectory> rows;
   for (const fs::path& file : files) {
-    const auto estimate = ReadTrajectory(file, ReadingOf(arguments, RepeatedStamps::kRejected));
+    const auto estimate = ReadTrajectory(file, MakeReading(arguments, RepeatedStamps::kRejected));
     AddRows(file.filename().string(), "", estimate, true_poses, options, rows);
   }
-  return Finished({{NameOf(truth.front()), rows}}, arguments, format);
+  return Finished({{FormatName(truth.front()), rows}}, arguments, format);
 }
 
 }  // namespace armature

@@ -27,13 +27,13 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& arguments);
 
 // One table a sequence: trajectory.txt and odometry_scaled.txt of every run against groundtruth.txt. Throws
 // InputError: a run has no trajectory, a sequence no truth of it, a file is malformed, an argument is bad.
-std::vector<Table> TrajectoryTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                          const TrajectoryArguments& arguments, TableFormat format);
+std::vector<Table> MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
+                                           const TrajectoryArguments& arguments, TableFormat format);
 
 // One table of all files against one truth: a trajectory file or a sequence folder. Throws InputError as
 // above.
-std::vector<Table> TrajectoryTablesOfFiles(const std::vector<std::filesystem::path>& files,
-                                           const std::vector<std::filesystem::path>& truth,
-                                           const TrajectoryArguments& arguments, TableFormat format);
+std::vector<Table> MakeFileTrajectoryTables(const std::vector<std::filesystem::path>& files,
+                                            const std::vector<std::filesystem::path>& truth,
+                                            const TrajectoryArguments& arguments, TableFormat format);
 
 }  // namespace armature

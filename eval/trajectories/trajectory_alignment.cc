@@ -27,7 +27,7 @@ struct Moments {
   Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();   // sum of R_truth R_estimate^T
 };
 
-Moments MomentsOf(const std::vector<PosePair>& pairs) {
+Moments ComputeMoments(const std::vector<PosePair>& pairs) {
   Moments m;
   const double share = 1.0 / static_cast<double>(pairs.size());
   for (const PosePair& pair : pairs) {
@@ -79,7 +79,7 @@ Eigen::Matrix3d RotationAboutLine(const Eigen::Vector3d& from, const Eigen::Vect
 // Umeyama, "Least-squares estimation of transformation parameters between two point patterns", PAMI 1991,
 // with the cameras' rotations deciding what the positions leave open.
 Similarity LeastSquares(const std::vector<PosePair>& pairs, bool with_scale) {
-  const Moments m = MomentsOf(pairs);
+  const Moments m = ComputeMoments(pairs);
   const auto svd = Decomposed(m.covariance);
   const Eigen::Vector3d& singular = svd.singularValues();
   const bool is_still = StaysInPlace(m.variance_estimate, m.mean_estimate) ||

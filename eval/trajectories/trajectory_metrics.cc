@@ -37,7 +37,7 @@ std::vector<double> Progress(const std::vector<PosePair>& pairs, DeltaUnit unit)
 }
 
 // The later pair nearest to delta after pair i, if it is near enough.
-std::optional<size_t> PartnerOf(const std::vector<double>& progress, size_t i, const RelativeDelta& delta) {
+std::optional<size_t> FindPartner(const std::vector<double>& progress, size_t i, const RelativeDelta& delta) {
   const double wanted = progress[i] + delta.value;
   const auto begin = progress.begin() + static_cast<std::ptrdiff_t>(i) + 1;
   auto nearest = std::lower_bound(begin, progress.end(), wanted);
@@ -59,7 +59,7 @@ RelativeError Compare(const std::vector<PosePair>& pairs, size_t first, size_t s
 }
 
 template <typename Error>
-std::optional<ErrorStatistics> StatisticsOfField(const std::vector<Error>& errors, double Error::*field) {
+std::optional<ErrorStatistics> SummarizeField(const std::vector<Error>& errors, double Error::*field) {
   std::vector<double> values;
   values.reserve(errors.size());
   for (const Error& error : errors) values.push_back(error.*field);
@@ -107,7 +107,7 @@ std::vector<RelativeError> RelativeErrors(const std::vector<PosePair>& pairs, do
   const std::vector<double> progress = Progress(pairs, delta.unit);
   std::vector<RelativeError> errors;
   for (size_t i = 0; i < pairs.size(); ++i) {
-    const std::optional<size_t> j = PartnerOf(progress, i, delta);
+    const std::optional<size_t> j = FindPartner(progress, i, delta);
     if (j) errors.push_back(Compare(pairs, i, *j, scale));
   }
   return errors;
@@ -129,15 +129,15 @@ TrajectoryEvaluation EvaluateTrajectory(const std::vector<TimedPose>& estimate,
 }
 
 std::optional<ErrorStatistics> AbsoluteError(const TrajectoryEvaluation& evaluation) {
-  return StatisticsOfField(evaluation.poses, &PoseError::position);
+  return SummarizeField(evaluation.poses, &PoseError::position);
 }
 
 std::optional<ErrorStatistics> RelativeTranslationError(const TrajectoryEvaluation& evaluation) {
-  return StatisticsOfField(evaluation.relative, &RelativeError::translation);
+  return SummarizeField(evaluation.relative, &RelativeError::translation);
 }
 
 std::optional<ErrorStatistics> RelativeRotationError(const TrajectoryEvaluation& evaluation) {
-  return StatisticsOfField(evaluation.relative, &RelativeError::rotation_deg);
+  return SummarizeField(evaluation.relative, &RelativeError::rotation_deg);
 }
 
 }  // namespace armature

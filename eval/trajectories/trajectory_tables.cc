@@ -37,7 +37,7 @@ std::string AlignmentMeaning(AlignmentKind kind, int first_n) {
   return "";
 }
 
-std::vector<Cell> RowOf(const NamedTrajectory& named, int digits) {
+std::vector<Cell> MakeRow(const NamedTrajectory& named, int digits) {
   const TrajectoryEvaluation& e = named.evaluation;
   const bool any = !e.poses.empty();
   const auto ate = AbsoluteError(e), translation = RelativeTranslationError(e),
@@ -63,7 +63,7 @@ std::vector<Cell> RowOf(const NamedTrajectory& named, int digits) {
           CountCell(static_cast<long>(e.relative.size()))};
 }
 
-std::string NameOf(const NamedTrajectory& named) {
+std::string FormatName(const NamedTrajectory& named) {
   return named.trajectory.empty() ? named.run : fmt::format("{}, {}", named.run, named.trajectory);
 }
 
@@ -74,14 +74,14 @@ std::vector<std::string> Warnings(const std::vector<NamedTrajectory>& trajectori
   for (const NamedTrajectory& named : trajectories) {
     const TrajectoryEvaluation& e = named.evaluation;
     if (e.poses.empty()) {
-      if (e.estimated == 0 || !unmatched.insert(NameOf(named)).second) continue;
+      if (e.estimated == 0 || !unmatched.insert(FormatName(named)).second) continue;
       warnings.push_back(fmt::format("{}: no pose has a true one within {:g} ms; compare the stamps.",
-                                     NameOf(named), 1e3 * e.options.tolerance));
+                                     FormatName(named), 1e3 * e.options.tolerance));
     } else if (e.alignment.is_degenerate) {
       warnings.push_back(
           fmt::format("{}: the positions do not determine {}: the cameras' rotations decide what they leave "
                       "open, a scale that they do not tell is 1.",
-                      NameOf(named), AlignmentName(e.options.alignment)));
+                      FormatName(named), AlignmentName(e.options.alignment)));
     }
   }
   return warnings;
@@ -124,7 +124,7 @@ Table TrajectoryTable(const std::string& sequence, const std::vector<NamedTrajec
                    "poses",        "scale",          "rotation [deg]", "translation [m]",
                    "ATE rmse [m]", "ATE mean [m]",   "ATE median [m]", "ATE max [m]",
                    "RPE rmse [m]", "RPE rmse [deg]", "RPE pairs"};
-  for (const NamedTrajectory& named : trajectories) table.rows.push_back(RowOf(named, digits));
+  for (const NamedTrajectory& named : trajectories) table.rows.push_back(MakeRow(named, digits));
   table.notes = Notes(trajectories);
   return table;
 }

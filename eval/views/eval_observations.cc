@@ -42,7 +42,7 @@ void CheckHasEdges(const fs::path& truth_folder, const SequenceTruth& truth) {
 std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vector<RunToEvaluate>& runs,
                                                                 const std::vector<CategoryModel>& models,
                                                                 const fs::path& cad_folder, bool need_edges) {
-  const std::vector<CategorySpec> specs = SpecsOf(models);
+  const std::vector<CategorySpec> specs = CollectSpecs(models);
   const CadLibrary cad = cad_folder.empty() ? CadLibrary() : CadLibrary(cad_folder, specs);
   std::map<std::string, SequenceTruth> truths;
   std::map<std::string, std::vector<NamedEvaluation>> evaluations;
@@ -77,10 +77,10 @@ void AddObservationArguments(CLI::App& command, ObservationArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> ObservationTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                           const std::vector<CategoryModel>& models,
-                                           const std::vector<std::string>& names, bool is_asked,
-                                           const ObservationArguments& arguments) {
+std::vector<Table> MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
+                                            const std::vector<CategoryModel>& models,
+                                            const std::vector<std::string>& names, bool is_asked,
+                                            const ObservationArguments& arguments) {
   const bool asked_edges = is_asked && Has(names, "edges");
   const bool need_edges = asked_edges || !arguments.raw_edges.empty();
   std::vector<Table> tables;

@@ -28,9 +28,9 @@ void AddObservationArguments(CLI::App& command, ObservationArguments& arguments)
 // CAD models. `is_asked`: the table of edges is also of sequences without edges_gt.csv, which then need CAD
 // models. Writes the raw rows. Throws InputError: a malformed or missing file, nothing to judge matches by,
 // a file that cannot be written.
-std::vector<Table> ObservationTablesOfRuns(const std::vector<RunToEvaluate>& runs,
-                                           const std::vector<CategoryModel>& models,
-                                           const std::vector<std::string>& names, bool is_asked,
-                                           const ObservationArguments& arguments);
+std::vector<Table> MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
+                                            const std::vector<CategoryModel>& models,
+                                            const std::vector<std::string>& names, bool is_asked,
+                                            const ObservationArguments& arguments);
 
 }  // namespace armature

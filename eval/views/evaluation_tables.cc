@@ -31,8 +31,8 @@ Selection Select(const RunEvaluation& evaluation, const std::string& category, b
   return s;
 }
 
-std::vector<Cell> RowOf(const std::string& run, const std::string& category, const Selection& s,
-                        bool only_ok) {
+std::vector<Cell> MakeRow(const std::string& run, const std::string& category, const Selection& s,
+                          bool only_ok) {
   std::vector<Cell> row{TextCell(run), TextCell(category.empty() ? "all" : category)};
   const ObservationSummary summary = Summarise(s.errors);
   const bool any = summary.count > 0;
@@ -103,11 +103,11 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
         "precision [%]", "recall [%]", "~precision [%]", "~recall [%]"}) {
     table.columns.push_back(column);
   }
-  std::vector<std::string> categories = CategoriesOf(runs);
+  std::vector<std::string> categories = ListCategories(runs);
   categories.push_back("");  // all
   for (const NamedEvaluation& run : runs) {
     for (const std::string& category : categories) {
-      table.rows.push_back(RowOf(run.run, category, Select(run.evaluation, category, only_ok), only_ok));
+      table.rows.push_back(MakeRow(run.run, category, Select(run.evaluation, category, only_ok), only_ok));
     }
   }
   table.notes = Notes(runs, only_ok);
@@ -130,7 +130,7 @@ std::string RawRow(const std::string& run, const std::string& sequence, const Ev
 
 }  // namespace
 
-std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs) {
+std::vector<std::string> ListCategories(const std::vector<NamedEvaluation>& runs) {
   std::set<std::string> categories;
   for (const NamedEvaluation& run : runs) {
     for (const EvaluatedDetection& d : run.evaluation.detections) categories.insert(d.category);

@@ -22,7 +22,7 @@ std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& fold
                                   const std::string& sequence);
 
 // What detections of the runs are of, sorted.
-std::vector<std::string> CategoriesOf(const std::vector<NamedEvaluation>& runs);
+std::vector<std::string> ListCategories(const std::vector<NamedEvaluation>& runs);
 
 // Whether the matches of the runs, on one sequence, are judged by its edges_gt.csv.
 bool HaveTrueEdges(const std::vector<NamedEvaluation>& runs);

@@ -23,8 +23,8 @@ size_t EdgeIndex(const RunResults& run, const CategorySpec& spec, const std::str
 }
 
 // None without pose: it is what tells under which symmetric turn the names are meant.
-std::vector<NamedSegment> MatchesOf(const RunResults& run, const CategorySpec& spec,
-                                    const RunObservation* observation) {
+std::vector<NamedSegment> ReadMatches(const RunResults& run, const CategorySpec& spec,
+                                      const RunObservation* observation) {
   std::vector<NamedSegment> matches;
   if (!observation || !observation->T_camera_object) return matches;
   for (const RunMatch& match : observation->matches)
@@ -49,7 +49,7 @@ EvaluatedDetection Evaluate(const RunResults& run, const TrueScene& scene, const
   }
   if (const auto edges = scene.EdgesSeen(object, T_world_camera)) {
     const auto named = SymmetricCounterparts(scene.mean_wireframe(object), spec.symmetry_order, step);
-    JudgedMatches judged = JudgeMatches(MatchesOf(run, spec, observation), spec, *edges, named);
+    JudgedMatches judged = JudgeMatches(ReadMatches(run, spec, observation), spec, *edges, named);
     row.matches = judged.counts;
     row.judged = std::move(judged.rows);
   }
@@ -77,7 +77,7 @@ RunEvaluation EvaluateRun(const RunResults& run, const SequenceTruth& sequence,
   for (const auto& [key, object] : truth.detections) {
     ThrowIfInterrupted();
     const double timestamp = static_cast<double>(key.first) / 1e6;
-    const std::optional<size_t> camera = IndexOfStamp(truth.T_world_camera, timestamp);
+    const std::optional<size_t> camera = FindStamp(truth.T_world_camera, timestamp);
     if (!camera) continue;
     evaluation.detections.push_back(
         Evaluate(run, scene, truth, object, truth.T_world_camera[*camera], run.Find(timestamp, key.second)));

@@ -60,7 +60,7 @@ complete -F _armature armature
 std::string Values(const CLI::Option& option) {
   const std::vector<std::string> known = OfferedValues(option);
   if (!known.empty()) return fmt::format("{}", fmt::join(known, " "));
-  const std::string type = TypeOf(option);
+  const std::string type = FormatType(option);
   if (type == "DIR") return type;
   return type == "FILE" || type == "PATH" ? "FILE" : "";
 }

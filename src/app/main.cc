@@ -30,7 +30,7 @@ int Report(std::string message, int status) {
 // A signal reaches child processes, too: what they then fail at is no failure of ours.
 int ReportFailure(const std::exception& error) {
   if (InterruptSignal() == 0) return Report(error.what(), kFailed);
-  return Report(fmt::format("interrupted: {}", error.what()), ExitStatusOf(InterruptSignal()));
+  return Report(fmt::format("interrupted: {}", error.what()), SignalExitStatus(InterruptSignal()));
 }
 
 // "armature rnu ...": the command that was probably meant.
@@ -71,7 +71,7 @@ int Main(int argc, char** argv) {
   } catch (const InputError& error) {
     return Report(error.what(), kBadInput);
   } catch (const Interrupted& error) {
-    return Report(error.what(), ExitStatusOf(InterruptSignal()));
+    return Report(error.what(), SignalExitStatus(InterruptSignal()));
   } catch (const std::exception& error) {
     return ReportFailure(error);
   }

@@ -37,7 +37,7 @@ PoseGraphStart StartFromName(const std::string& name) {
   throw InputError(fmt::format("posegraph: --init: {}", UnknownNameMessage("start", name, known)));
 }
 
-std::string NameOf(PoseGraphStart start) {
+std::string FormatName(PoseGraphStart start) {
   for (const StartName& entry : kStartNames) {
     if (start == entry.start) return entry.name;
   }
@@ -57,7 +57,7 @@ std::string ReportText(const PoseGraphReport& report) {
   table.columns = {"vertices",   "edges",     "init",      "initial cost", "final cost",
                    "iterations", "converged", "read [ms]", "init [ms]",    "solve [ms]"};
   table.rows = {{CountCell(static_cast<long>(report.graph.poses.size())),
-                 CountCell(static_cast<long>(report.graph.edges.size())), TextCell(NameOf(result.start)),
+                 CountCell(static_cast<long>(report.graph.edges.size())), TextCell(FormatName(result.start)),
                  NumberCell(result.initial_cost, 6), NumberCell(result.final_cost, 6),
                  CountCell(result.iterations), TextCell(result.converged ? "yes" : "no"),
                  NumberCell(report.read_milliseconds, 1), NumberCell(result.start_milliseconds, 1),
@@ -75,7 +75,7 @@ std::string ReportJson(const PoseGraphReport& report) {
   json["graph"] = report.arguments.graph.string();
   json["vertices"] = report.graph.poses.size();
   json["edges"] = report.graph.edges.size();
-  json["init"] = NameOf(result.start);
+  json["init"] = FormatName(result.start);
   json["initial_cost"] = result.initial_cost;
   json["final_cost"] = result.final_cost;
   json["iterations"] = result.iterations;

@@ -16,7 +16,7 @@ constexpr double kDistinct = 6 * kDegree;  // peaks nearer than this are one
 
 using Votes = std::array<double, kBins>;  // pixels of segment, by the offset from the prior's azimuth
 
-double OffsetOfBin(int bin) { return (bin + 0.5) * kBin - M_PI; }
+double ComputeBinOffset(int bin) { return (bin + 0.5) * kBin - M_PI; }
 
 // Turns about y, modulo half a turn, at which the category's mean has horizontal edges.
 std::vector<double> HorizontalEdgeAngles(const CategoryModel& model) {
@@ -66,19 +66,19 @@ double Smoothed(const Votes& votes, int bin) {
 
 }  // namespace
 
-std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
-                                                 int max_peaks) {
+std::vector<double> FindHorizontalAzimuths(const ObjectView& view, double prior_azimuth, double spread,
+                                           int max_peaks) {
   std::vector<double> peaks;
   if (!view.up_camera || max_peaks <= 0) return peaks;
   const Votes votes = CollectVotes(view, prior_azimuth);
   std::vector<std::pair<double, int>> ranked;  // negative votes, bin
   for (int bin = 0; bin < kBins; ++bin) {
-    if (std::abs(OffsetOfBin(bin)) <= spread) ranked.push_back({-Smoothed(votes, bin), bin});
+    if (std::abs(ComputeBinOffset(bin)) <= spread) ranked.push_back({-Smoothed(votes, bin), bin});
   }
   std::sort(ranked.begin(), ranked.end());
   for (const auto& [negative_votes, bin] : ranked) {
     if (negative_votes == 0 || static_cast<int>(peaks.size()) >= max_peaks) break;
-    const double azimuth = WrapAngle(prior_azimuth + OffsetOfBin(bin));
+    const double azimuth = WrapAngle(prior_azimuth + ComputeBinOffset(bin));
     const bool is_new = std::none_of(peaks.begin(), peaks.end(), [&](double other) {
       return std::abs(WrapAngle(other - azimuth)) < kDistinct;
     });

@@ -137,7 +137,7 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
   const double prior = *view.detection.azimuth, spread = options.azimuth_spread_deg * kDegree;
   for (const double offset : Offsets(spread, options.azimuth_step_deg * kDegree))
     azimuths.push_back(prior + offset);
-  for (const double azimuth : AzimuthsOfHorizontalSegments(view, prior, spread, options.horizontal_peaks)) {
+  for (const double azimuth : FindHorizontalAzimuths(view, prior, spread, options.horizontal_peaks)) {
     azimuths.push_back(azimuth);
   }
   return azimuths;

@@ -38,8 +38,8 @@ std::vector<double> CandidateAzimuths(const ObjectView& view, const HypothesisOp
 // segments in the box share. With `up` known, a segment whose plane through the camera has normal n, if it is
 // horizontal in the world, runs along up x n: each segment votes for a turn about up without any knowledge of
 // translation or size.
-std::vector<double> AzimuthsOfHorizontalSegments(const ObjectView& view, double prior_azimuth, double spread,
-                                                 int max_peaks);
+std::vector<double> FindHorizontalAzimuths(const ObjectView& view, double prior_azimuth, double spread,
+                                           int max_peaks);
 
 // What is remembered first, then the most likely: near the prior's azimuth. `dictionary`: the wireframes of
 // the model's dictionary.

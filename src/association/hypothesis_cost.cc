@@ -56,7 +56,7 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
 }
 
 double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
-  const ObjectMemory& memory = *view.memory;
+  const TrackPrior& memory = *view.memory;
   const Eigen::Matrix3d R = at.T_camera_object.linear();
   const MemoryVector difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
   const MemoryVector push = memory.information * difference;

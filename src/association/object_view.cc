@@ -18,13 +18,13 @@ double YawBelief::At(double yaw) const {
   return (1 - share) * bin(0) + share * bin(1);
 }
 
-Eigen::Vector3d ObjectMemory::AheadOfFront() const {
+Eigen::Vector3d TrackPrior::AheadOfFront() const {
   // y x z = x: the front turns towards the object's x axis as the yaw grows.
   return expected.T_camera_object.linear().col(0);
 }
 
-MemoryVector ObjectMemory::Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
-                                      const Eigen::Ref<const Eigen::VectorXd>& coefficients) const {
+MemoryVector TrackPrior::Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
+                                    const Eigen::Ref<const Eigen::VectorXd>& coefficients) const {
   MemoryVector difference(4 + coefficients.size());
   difference.head<3>() = T - expected.T_camera_object.translation();
   difference(3) = AheadOfFront().dot(R_camera_object.col(2));

@@ -46,14 +46,14 @@ struct YawBelief {
   double At(double yaw) const;
 };
 
-// A value of an ObjectMemory's z, or something that belongs to each of its numbers; not on the heap.
+// A value of an TrackPrior's z, or something that belongs to each of its numbers; not on the heap.
 using MemoryVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 + kMaxModes, 1>;
 
 // What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4
 // + B numbers, T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients.
 // It is joint because what was seen may be one end of a table: then neither its centre nor its length is
 // known, but their difference is.
-struct ObjectMemory {
+struct TrackPrior {
   PoseAndShape expected;             // in this camera
   Eigen::MatrixXd information;       // of z, (4+B) x (4+B)
   Eigen::MatrixXd sqrt_information;  // L^T, L L^T the information
@@ -82,7 +82,7 @@ struct ObjectView {
       up_camera;                     // unit, camera frame; none: take the viewpoint's elevation and tilt
   std::vector<ImageFace> occluders;  // faces of other objects in this image
   std::optional<FloorPrior> floor;
-  std::optional<ObjectMemory> memory;
+  std::optional<TrackPrior> memory;
 };
 
 }  // namespace armature

@@ -33,7 +33,7 @@ void CatchInterrupts() {
 
 int InterruptSignal() { return noted_signal; }
 
-int ExitStatusOf(int signal) { return 128 + signal; }
+int SignalExitStatus(int signal) { return 128 + signal; }
 
 void ThrowIfInterrupted() {
   if (noted_signal != 0) throw Interrupted();

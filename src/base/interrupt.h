@@ -9,7 +9,7 @@
 
 namespace armature {
 
-// The user stopped the program; programs exit with ExitStatusOf(InterruptSignal()).
+// The user stopped the program; programs exit with SignalExitStatus(InterruptSignal()).
 class Interrupted : public std::runtime_error {
  public:
   // `finished`: what stays of this call, files or folders, by name.
@@ -23,7 +23,7 @@ void CatchInterrupts();
 int InterruptSignal();
 
 // 130 of SIGINT, 143 of SIGTERM: what shells make of a program that a signal ends.
-int ExitStatusOf(int signal);
+int SignalExitStatus(int signal);
 
 // Throws Interrupted once a signal was noted.
 void ThrowIfInterrupted();

@@ -12,13 +12,13 @@ namespace {
 constexpr double kFewest = 6;  // two signs alike in 1 of 32 cases only: less than 5 of 100
 constexpr double kSigmas = 1.96;
 
-double MeanOf(const std::vector<double>& values) {
+double ComputeMean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
 }
 
-int SignOf(double value) { return (value > 0) - (value < 0); }
+int GetSign(double value) { return (value > 0) - (value < 0); }
 
 // Of neighbours' signs about the median, 0 where they are not alike.
 double NeighbourCorrelation(const std::vector<ValuePair>& pairs, const std::vector<double>& differences,
@@ -26,7 +26,7 @@ double NeighbourCorrelation(const std::vector<ValuePair>& pairs, const std::vect
   int squares = 0, products = 0, neighbours = 0;
   for (size_t i = 1; i < pairs.size(); ++i) {
     if (pairs[i].series != pairs[i - 1].series) continue;
-    const int before = SignOf(differences[i - 1] - median), here = SignOf(differences[i] - median);
+    const int before = GetSign(differences[i - 1] - median), here = GetSign(differences[i] - median);
     products += before * here;
     squares += std::abs(before * here);
     ++neighbours;
@@ -66,7 +66,7 @@ PairedDifference DifferenceBy(const std::vector<ValuePair>& pairs, const std::ve
     a.push_back(pair.a);
     b.push_back(pair.b);
   }
-  PairedDifference result{.n = pairs.size(), .mean_a = MeanOf(a), .mean_b = MeanOf(b)};
+  PairedDifference result{.n = pairs.size(), .mean_a = ComputeMean(a), .mean_b = ComputeMean(b)};
   result.median_a = Median(a);
   result.median_b = Median(b);
   result.median = Median(differences);

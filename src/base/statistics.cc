@@ -8,7 +8,7 @@
 namespace armature {
 namespace {
 
-double QuantileOfSorted(const std::vector<double>& sorted, double fraction) {
+double InterpolateQuantile(const std::vector<double>& sorted, double fraction) {
   const double position = fraction * static_cast<double>(sorted.size() - 1);
   const size_t below = static_cast<size_t>(position);
   const size_t above = std::min(below + 1, sorted.size() - 1);
@@ -27,10 +27,10 @@ double Median(std::vector<double> values) {
 std::optional<double> Quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
-  return QuantileOfSorted(values, fraction);
+  return InterpolateQuantile(values, fraction);
 }
 
-std::optional<SpanStatistics> StatisticsOf(std::vector<double> values) {
+std::optional<SpanStatistics> ComputeStatistics(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
   SpanStatistics s;
@@ -40,14 +40,14 @@ std::optional<SpanStatistics> StatisticsOf(std::vector<double> values) {
   double squares = 0;
   for (const double value : values) squares += (value - s.mean) * (value - s.mean);
   if (s.n > 1) s.deviation = std::sqrt(squares / (n - 1));
-  s.median = QuantileOfSorted(values, 0.5);
-  s.p10 = QuantileOfSorted(values, 0.1);
-  s.p90 = QuantileOfSorted(values, 0.9);
-  s.p99 = QuantileOfSorted(values, 0.99);
+  s.median = InterpolateQuantile(values, 0.5);
+  s.p10 = InterpolateQuantile(values, 0.1);
+  s.p90 = InterpolateQuantile(values, 0.9);
+  s.p99 = InterpolateQuantile(values, 0.99);
   s.max = values.back();
   const double reach = std::min(0.5, 1.5 / std::sqrt(n));
-  s.median_low = QuantileOfSorted(values, 0.5 - reach);
-  s.median_high = QuantileOfSorted(values, 0.5 + reach);
+  s.median_low = InterpolateQuantile(values, 0.5 - reach);
+  s.median_high = InterpolateQuantile(values, 0.5 + reach);
   return s;
 }
 

@@ -28,6 +28,6 @@ struct SpanStatistics {
 };
 
 // None of nothing: a stage that never ran. Quantiles are linear between neighbours.
-std::optional<SpanStatistics> StatisticsOf(std::vector<double> values);
+std::optional<SpanStatistics> ComputeStatistics(std::vector<double> values);
 
 }  // namespace armature

@@ -19,21 +19,21 @@ InputError UnknownCategory(const std::string& category) {
 
 }  // namespace
 
-const CategoryModel& ModelOf(const std::vector<CategoryModel>& models, const std::string& category) {
+const CategoryModel& LookUpModel(const std::vector<CategoryModel>& models, const std::string& category) {
   const auto found = std::find_if(models.begin(), models.end(),
                                   [&](const CategoryModel& model) { return model.spec.name == category; });
   if (found == models.end()) throw UnknownCategory(category);
   return *found;
 }
 
-const CategorySpec& SpecOf(const std::vector<CategorySpec>& specs, const std::string& category) {
+const CategorySpec& FindSpec(const std::vector<CategorySpec>& specs, const std::string& category) {
   const auto found = std::find_if(specs.begin(), specs.end(),
                                   [&](const CategorySpec& spec) { return spec.name == category; });
   if (found == specs.end()) throw UnknownCategory(category);
   return *found;
 }
 
-std::vector<CategorySpec> SpecsOf(const std::vector<CategoryModel>& models) {
+std::vector<CategorySpec> CollectSpecs(const std::vector<CategoryModel>& models) {
   std::vector<CategorySpec> specs;
   specs.reserve(models.size());
   for (const CategoryModel& model : models) specs.push_back(model.spec);

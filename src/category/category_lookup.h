@@ -10,9 +10,9 @@
 namespace armature {
 
 // Both throw InputError when there is none of that name.
-const CategoryModel& ModelOf(const std::vector<CategoryModel>& models, const std::string& category);
-const CategorySpec& SpecOf(const std::vector<CategorySpec>& specs, const std::string& category);
+const CategoryModel& LookUpModel(const std::vector<CategoryModel>& models, const std::string& category);
+const CategorySpec& FindSpec(const std::vector<CategorySpec>& specs, const std::string& category);
 
-std::vector<CategorySpec> SpecsOf(const std::vector<CategoryModel>& models);
+std::vector<CategorySpec> CollectSpecs(const std::vector<CategoryModel>& models);
 
 }  // namespace armature

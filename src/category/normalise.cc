@@ -16,7 +16,7 @@ struct Bounds {
   Eigen::Vector3d min, max;
 };
 
-Bounds BoundsOf(const Wireframe& wireframe) {
+Bounds ComputeBounds(const Wireframe& wireframe) {
   const Eigen::Matrix3Xd half = wireframe.directions.cwiseAbs() / 2;
   return {(wireframe.midpoints - half).rowwise().minCoeff(),
           (wireframe.midpoints + half).rowwise().maxCoeff()};
@@ -32,12 +32,12 @@ std::string MirroredName(std::string name) {
 }  // namespace
 
 Eigen::Vector3d BoundingBoxCenter(const Wireframe& wireframe) {
-  const Bounds bounds = BoundsOf(wireframe);
+  const Bounds bounds = ComputeBounds(wireframe);
   return (bounds.min + bounds.max) / 2;
 }
 
 double Measure(const MetricReference& reference, const Wireframe& wireframe) {
-  const double ground = BoundsOf(wireframe).min.y();
+  const double ground = ComputeBounds(wireframe).min.y();
   double sum = 0;
   for (const int edge : reference.edges) {
     sum += reference.measure == MetricReference::Measure::kLength ? wireframe.directions.col(edge).norm()

@@ -19,8 +19,8 @@ CoefficientStatistics ColumnStatistics(const Eigen::MatrixXd& coefficients) {
 
 }  // namespace
 
-SetStatistics StatisticsOf(const CategoryModel& model, const TrainingSpec& spec,
-                           const std::vector<Wireframe>& wireframes) {
+SetStatistics ComputeStatistics(const CategoryModel& model, const TrainingSpec& spec,
+                                const std::vector<Wireframe>& wireframes) {
   if (wireframes.size() < 2) {
     throw InputError(fmt::format("category {}: {} plausible models to compare with, at least 2 are needed",
                                  spec.category.name, wireframes.size()));

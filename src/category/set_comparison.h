@@ -24,7 +24,7 @@ struct SetStatistics {
 // Coefficients of the training set that the wireframes make (with mirror images where the specification says
 // so): mean 0 and deviation 1 for the set that the model is learnt from. Throws InputError for fewer than 2
 // wireframes.
-SetStatistics StatisticsOf(const CategoryModel& model, const TrainingSpec& spec,
-                           const std::vector<Wireframe>& wireframes);
+SetStatistics ComputeStatistics(const CategoryModel& model, const TrainingSpec& spec,
+                                const std::vector<Wireframe>& wireframes);
 
 }  // namespace armature

@@ -23,7 +23,7 @@ Eigen::Affine3d Normalising(const TriangleMesh& mesh, int quarter_turns) {
          Eigen::Affine3d(R);
 }
 
-Eigen::Matrix3Xf EndsOf(const Wireframe& wireframe) {
+Eigen::Matrix3Xf MakeEnds(const Wireframe& wireframe) {
   Eigen::Matrix3Xf ends(3, 2 * wireframe.edges());
   for (int e = 0; e < wireframe.edges(); ++e) {
     for (int end = 0; end < 2; ++end) ends.col(2 * e + end) = wireframe.End(e, end).cast<float>();
@@ -34,13 +34,13 @@ Eigen::Matrix3Xf EndsOf(const Wireframe& wireframe) {
 }  // namespace
 
 Eigen::Affine3d AlignedToAnnotations(const TriangleMesh& mesh, const Wireframe& wireframe) {
-  const Eigen::Matrix3Xf ends = EndsOf(wireframe);
+  const Eigen::Matrix3Xf ends = MakeEnds(wireframe);
   Eigen::Affine3d best = Eigen::Affine3d::Identity();
   float least = std::numeric_limits<float>::infinity();
   for (int quarter_turns = 0; quarter_turns < 4; ++quarter_turns) {
     const Eigen::Affine3d T = Normalising(mesh, quarter_turns);
     const float distance =
-        SurfacePoints(SampleSurface(Moved(T, mesh), kSurfacePoints, 1)).DistancesOf(ends).mean();
+        SurfacePoints(SampleSurface(Moved(T, mesh), kSurfacePoints, 1)).MeasureDistances(ends).mean();
     if (distance >= least) continue;
     least = distance;
     best = T;

@@ -20,7 +20,7 @@ ComparedValues PairByKey(const NamedValues& a, const NamedValues& b) {
 }
 
 std::vector<Cell> DifferenceRow(const ComparedValues& compared) {
-  const auto difference = DifferenceOf(compared);
+  const auto difference = ComputeDifference(compared);
   std::vector<Cell> row{TextCell(compared.name)};
   for (const auto value : {&PairedDifference::median_a, &PairedDifference::median_b,
                            &PairedDifference::mean_a, &PairedDifference::mean_b, &PairedDifference::median,
@@ -46,7 +46,7 @@ std::vector<ComparedValues> PairValues(const std::vector<NamedValues>& a, const 
   return compared;
 }
 
-std::optional<PairedDifference> DifferenceOf(const ComparedValues& compared) {
+std::optional<PairedDifference> ComputeDifference(const ComparedValues& compared) {
   std::vector<ValuePair> pairs;
   for (const auto& [key, pair] : compared.pairs) pairs.push_back(pair);
   return ComparePairs(pairs);

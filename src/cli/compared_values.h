@@ -43,7 +43,7 @@ std::vector<ComparedValues> PairValues(const std::vector<NamedValues>& a, const 
 Table DifferenceTable(const std::vector<ComparedValues>& compared);
 
 // A quantity's difference, none without pairs.
-std::optional<PairedDifference> DifferenceOf(const ComparedValues& compared);
+std::optional<PairedDifference> ComputeDifference(const ComparedValues& compared);
 
 // Raw rows, one a pair: "result,sequence,quantity,series,timestamp,index,a,b,difference".
 std::string RawPairColumns();

@@ -31,15 +31,15 @@ std::string Section(const std::string& heading, const std::vector<HelpEntry>& en
   return text;
 }
 
-std::string NameOf(const CLI::Option& option) {
+std::string FormatName(const CLI::Option& option) {
   std::string name = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
   for (size_t comma = 0; (comma = name.find(',', comma)) != std::string::npos; ++comma)
     name.replace(comma, 1, ", ");
-  if (!TypeOf(option).empty() && !option.get_positional()) name += " " + TypeOf(option);
+  if (!FormatType(option).empty() && !option.get_positional()) name += " " + FormatType(option);
   return option.get_items_expected_max() > 1 && option.get_expected_max() > 1 ? name + " ..." : name;
 }
 
-std::string MeaningOf(const CLI::Option& option) {
+std::string FormatMeaning(const CLI::Option& option) {
   std::string meaning = option.get_description();
   if (option.get_required() && !option.get_positional()) meaning += " (required)";
   std::string initial = option.get_default_str();
@@ -48,7 +48,7 @@ std::string MeaningOf(const CLI::Option& option) {
   return meaning;
 }
 
-HelpEntry EntryOf(const CLI::Option& option) { return {NameOf(option), MeaningOf(option)}; }
+HelpEntry MakeEntry(const CLI::Option& option) { return {FormatName(option), FormatMeaning(option)}; }
 
 // The headed options of a command, without --help.
 std::string OptionSections(const CLI::App& command) {
@@ -57,7 +57,7 @@ std::string OptionSections(const CLI::App& command) {
     std::vector<HelpEntry> entries;
     for (const CLI::Option* option : command.get_options()) {
       if (option->get_group() == heading && option != command.get_help_ptr())
-        entries.push_back(EntryOf(*option));
+        entries.push_back(MakeEntry(*option));
     }
     text += Section(heading, entries);
   }
@@ -66,7 +66,7 @@ std::string OptionSections(const CLI::App& command) {
 
 std::string GlobalOptions(const CLI::App& program) {
   std::vector<HelpEntry> entries;
-  for (const CLI::Option* option : program.get_options()) entries.push_back(EntryOf(*option));
+  for (const CLI::Option* option : program.get_options()) entries.push_back(MakeEntry(*option));
   return Section("Global options", entries);
 }
 
@@ -75,7 +75,7 @@ std::string UsageLine(const CLI::App& command) {
   for (const bool positional : {false, true}) {
     for (const CLI::Option* option : command.get_options()) {
       if (option->get_positional() != positional || (!positional && !option->get_required())) continue;
-      usage += option->get_required() ? " " + NameOf(*option) : " [" + NameOf(*option) + "]";
+      usage += option->get_required() ? " " + FormatName(*option) : " [" + FormatName(*option) + "]";
     }
   }
   return "Usage: " + usage + "\n";
@@ -158,7 +158,7 @@ CLI::Option& KnownValues(CLI::Option& option, const std::vector<std::string>& va
   return OfferValues(option, values);
 }
 
-std::string TypeOf(const CLI::Option& option) {
+std::string FormatType(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   const std::string type = option.get_type_name();
   const std::string name = type.substr(0, type.find(':'));

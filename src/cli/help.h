@@ -54,6 +54,6 @@ std::vector<std::string> OfferedValues(const CLI::Option& option);
 CLI::Option& KnownValues(CLI::Option& option, const std::vector<std::string>& values);
 
 // Its type name alone: "DIR"; empty for a flag.
-std::string TypeOf(const CLI::Option& option);
+std::string FormatType(const CLI::Option& option);
 
 }  // namespace armature

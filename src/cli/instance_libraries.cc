@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InstanceIndex IndexOf(const fs::path& library, const CategoryModel& model, const CategoryInstances& instances,
-                      const RetrievalOptions& options) {
+InstanceIndex FindIndex(const fs::path& library, const CategoryModel& model,
+                        const CategoryInstances& instances, const RetrievalOptions& options) {
   const fs::path file = IndexFile(library, instances.category);
   if (!fs::exists(file)) return BuildIndex(model, instances, options);
   return ReadIndex(file, Features(instances, model.standard_deviations, options.features), options.index);
@@ -24,7 +24,7 @@ InstanceIndex IndexOf(const fs::path& library, const CategoryModel& model, const
 
 }  // namespace
 
-InstanceLibrary LibraryOfFolder(const fs::path& cad, const std::vector<CategoryModel>& models) {
+InstanceLibrary BuildFolderLibrary(const fs::path& cad, const std::vector<CategoryModel>& models) {
   std::vector<CategorySpec> specs;
   specs.reserve(models.size());
   for (const CategoryModel& model : models) specs.push_back(model.spec);
@@ -63,7 +63,7 @@ std::unique_ptr<OpenLibrary> OpenLibraryFile(const fs::path& file, const std::ve
   for (const CategoryInstances& instances : open->library.categories) {
     for (const CategoryModel& model : models) {
       if (model.spec.name != instances.category) continue;
-      open->retrievals.emplace_back(model, instances, options, IndexOf(file, model, instances, options));
+      open->retrievals.emplace_back(model, instances, options, FindIndex(file, model, instances, options));
     }
   }
   return open;

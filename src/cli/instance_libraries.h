@@ -15,7 +15,8 @@ namespace armature {
 // A library of all annotated CAD models in the folder that are of these categories. Meshes whose frame is not
 // known are turned to their annotations. Throws InputError: no annotated model in the folder, or none of
 // these categories; a malformed file.
-InstanceLibrary LibraryOfFolder(const std::filesystem::path& cad, const std::vector<CategoryModel>& models);
+InstanceLibrary BuildFolderLibrary(const std::filesystem::path& cad,
+                                   const std::vector<CategoryModel>& models);
 
 // The saved index of a category: beside the library's file.
 std::filesystem::path IndexFile(const std::filesystem::path& library, const std::string& category);

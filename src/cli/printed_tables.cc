@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/help.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 
@@ -25,10 +25,10 @@ std::string FormatTables(const std::vector<Table>& tables, TableFormat format) {
 
 void WriteTableFiles(const std::filesystem::path& folder,
                      const std::function<std::string(TableFormat)>& text) {
-  WriteWholeFile(folder / "tables.txt", text(TableFormat::kText));
-  WriteWholeFile(folder / "tables.md", text(TableFormat::kMarkdown));
-  WriteWholeFile(folder / "tables.csv", text(TableFormat::kCsv));
-  WriteWholeFile(folder / "tables.tex", text(TableFormat::kLatex));
+  AtomicWrite(folder / "tables.txt", text(TableFormat::kText));
+  AtomicWrite(folder / "tables.md", text(TableFormat::kMarkdown));
+  AtomicWrite(folder / "tables.csv", text(TableFormat::kCsv));
+  AtomicWrite(folder / "tables.tex", text(TableFormat::kLatex));
 }
 
 void AddFormatArguments(CLI::App& command, std::string& format, bool& json) {

@@ -14,7 +14,7 @@ const cv::Scalar kInk(45, 40, 40), kPaper(255, 255, 255);
 double FontScale(const cv::Mat3b& picture) { return 0.62 * picture.cols / 1600; }
 
 // In the middle above all of the object that is drawn; pixels.
-cv::Point TopOf(const MapSceneObject& object, const MapView& view) {
+cv::Point FindTop(const MapSceneObject& object, const MapView& view) {
   const Eigen::Isometry3d T_camera_object = view.T_world_camera.inverse() * object.T_world_object;
   Eigen::AlignedBox2d box(view.camera.Project(T_camera_object.translation()));
   const auto extend = [&](const Eigen::Vector3d& p) { box.extend(view.camera.Project(T_camera_object * p)); };
@@ -49,7 +49,7 @@ void DrawMapLabels(const MapScene& scene, const MapView& view, cv::Mat3b* pictur
   for (const MapSceneObject& object : scene.objects) {
     int below = 0;
     const cv::Size size = cv::getTextSize(object.id, kFont, scale, 1, &below);
-    const cv::Point top = TopOf(object, view);
+    const cv::Point top = FindTop(object, view);
     const cv::Size padded(size.width + 8, size.height + below + 4);
     const cv::Point corner(top.x - padded.width / 2, top.y - padded.height - 2);
     const cv::Rect place = FreePlace({corner, padded}, taken, picture->size());

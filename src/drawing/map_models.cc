@@ -13,12 +13,12 @@ constexpr double kBallRadius = 0.045, kBallSpacing = 0.4;
 constexpr double kDotRadius = 0.014, kDotSpacing = 0.07;
 constexpr double kWireframeThickness = 0.014;
 
-Colour ColourOf(const ColourBytes& bytes) { return bytes.cast<double>() / 255; }
+Colour MakeColour(const ColourBytes& bytes) { return bytes.cast<double>() / 255; }
 
-PlacedMesh BodyOf(const TriangleMesh& mesh, const ColourBytes& colour,
-                  const Eigen::Isometry3d& T_world_mesh) {
+PlacedMesh MakeBody(const TriangleMesh& mesh, const ColourBytes& colour,
+                    const Eigen::Isometry3d& T_world_mesh) {
   Part part;
-  part.material.colour = ColourOf(colour);
+  part.material.colour = MakeColour(colour);
   for (const auto& triangle : mesh.triangles.colwise()) {
     const Vector3d c = mesh.vertices.col(triangle[2]);
     part.quads.push_back({{Vector3d(mesh.vertices.col(triangle[0])), mesh.vertices.col(triangle[1]), c, c}});
@@ -54,7 +54,7 @@ std::vector<PlacedMesh> MapBodies(const MapScene& scene, const MapGround& ground
   std::vector<PlacedMesh> bodies{GroundBody(ground)};
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const MapSceneObject& object = scene.objects[i];
-    bodies.push_back(BodyOf(object.cad, ObjectColour(scene, i), object.T_world_object));
+    bodies.push_back(MakeBody(object.cad, ObjectColour(scene, i), object.T_world_object));
   }
   return bodies;
 }
@@ -68,7 +68,7 @@ std::vector<PlacedMesh> MapPath(const MapScene& scene) {
     Append(BallMesh(dot, kDotRadius), kPathColour, dots);
   }
   const Eigen::Isometry3d in_world = Eigen::Isometry3d::Identity();
-  return {BodyOf(balls, kCameraColour, in_world), BodyOf(dots, kPathColour, in_world)};
+  return {MakeBody(balls, kCameraColour, in_world), MakeBody(dots, kPathColour, in_world)};
 }
 
 std::vector<PlacedMesh> MapWireframes(const MapScene& scene) {
@@ -76,8 +76,8 @@ std::vector<PlacedMesh> MapWireframes(const MapScene& scene) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const MapSceneObject& object = scene.objects[i];
     const ColourBytes colour = WireframeColour(scene, i);
-    wireframes.push_back(
-        BodyOf(WireframeMesh(object.wireframe, kWireframeThickness, colour), colour, object.T_world_object));
+    wireframes.push_back(MakeBody(WireframeMesh(object.wireframe, kWireframeThickness, colour), colour,
+                                  object.T_world_object));
   }
   return wireframes;
 }

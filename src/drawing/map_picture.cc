@@ -30,7 +30,7 @@ struct Sample {
 class MapPainter {
  public:
   MapPainter(const MapScene& scene, const MapPictureOptions& options)
-      : view_(ViewOfMap(scene, options.width, options.height)),
+      : view_(FrameMap(scene, options.width, options.height)),
         places_(SpreadPlaces(options.samples)),
         shading_(MapBodies(scene, view_.ground), view_.ground),
         path_(MapPath(scene)),
@@ -39,7 +39,7 @@ class MapPainter {
   const MapView& view() const { return view_; }
 
   void PaintRow(int y, cv::Mat3b* picture) const {
-    const std::vector<Sample> samples = SamplesOf(y);
+    const std::vector<Sample> samples = MakeSamples(y);
     for (int x = 0; x < view_.camera.width; ++x) {
       PixelLight light(shading_, Hash(x, y, 0, 1));
       Colour sum(0, 0, 0);
@@ -54,7 +54,7 @@ class MapPainter {
   }
 
  private:
-  std::vector<Sample> SamplesOf(int y) const {
+  std::vector<Sample> MakeSamples(int y) const {
     std::vector<Vector3d> directions;
     for (int x = 0; x < view_.camera.width; ++x) {
       for (const Vector2d& place : places_) {
@@ -62,8 +62,9 @@ class MapPainter {
         directions.push_back((view_.T_world_camera.linear() * view_.camera.Ray(pixel)).normalized());
       }
     }
-    const std::vector<RayHit> bodies = HitsOf(shading_.rays(), directions), path = HitsOf(path_, directions),
-                              wireframes = HitsOf(wireframes_, directions);
+    const std::vector<RayHit> bodies = TraceHits(shading_.rays(), directions),
+                              path = TraceHits(path_, directions),
+                              wireframes = TraceHits(wireframes_, directions);
     std::vector<Sample> samples(directions.size());
     for (size_t i = 0; i < samples.size(); ++i) {
       samples[i] = {directions[i], bodies[i], path[i], wireframes[i]};
@@ -71,7 +72,7 @@ class MapPainter {
     return samples;
   }
 
-  std::vector<RayHit> HitsOf(const RayScene& rays, const std::vector<Vector3d>& directions) const {
+  std::vector<RayHit> TraceHits(const RayScene& rays, const std::vector<Vector3d>& directions) const {
     std::vector<RayHit> hits(directions.size());
     rays.Nearest(view_.T_world_camera.translation(), directions, hits);
     return hits;
@@ -84,7 +85,7 @@ class MapPainter {
     const bool is_seen = IsBefore(sample.wireframe, sample.body, kOnSurface) &&
                          !(is_path && IsBefore(sample.path, sample.wireframe, 0));
     const double share = is_seen ? 1 : kHiddenShare;
-    return share * PickedOf(MaterialColour(wireframes_, sample.wireframe)) + (1 - share) * behind;
+    return share * EncodeColour(MaterialColour(wireframes_, sample.wireframe)) + (1 - share) * behind;
   }
 
   static bool IsBefore(const RayHit& hit, const RayHit& other, double tolerance) {
@@ -94,13 +95,14 @@ class MapPainter {
   Colour BodyColour(const Sample& sample, PixelLight& light) const {
     if (sample.body.mesh < 0) return {1, 1, 1};
     const Vector3d point = view_.T_world_camera.translation() + sample.body.distance * sample.direction;
-    return PickedOf(light.At(sample.body, point, sample.direction) * shading_.ColourAt(sample.body, point));
+    return EncodeColour(light.At(sample.body, point, sample.direction) *
+                        shading_.ColourAt(sample.body, point));
   }
 
   // Without shadows: those of many dots are but noise.
   Colour PathColour(const Sample& sample) const {
     const double facing = -FacingNormal(path_, sample.path, sample.direction).dot(sample.direction);
-    return PickedOf((kShade + (1 - kShade) * facing) * MaterialColour(path_, sample.path));
+    return EncodeColour((kShade + (1 - kShade) * facing) * MaterialColour(path_, sample.path));
   }
 
   MapView view_;

@@ -15,7 +15,7 @@ struct MapPictureOptions {
   bool labels = true;               // the objects' ids
 };
 
-// 8-bit BGR, seen as ViewOfMap says (map_view.h). The same bytes for any number of threads.
+// 8-bit BGR, seen as FrameMap says (map_view.h). The same bytes for any number of threads.
 cv::Mat DrawMap(const MapScene& scene, const MapPictureOptions& options = {});
 
 }  // namespace armature

@@ -27,12 +27,12 @@ const Vector3d kToLamp = Vector3d(-0.45, -0.35, 1).normalized();  // ground fram
 
 bool IsOnGridLine(double from_side) { return std::abs(from_side - std::round(from_side)) < kLineWidth / 2; }
 
-const PlacedMesh& MeshOf(const RayScene& rays, const RayHit& hit) {
+const PlacedMesh& GetMesh(const RayScene& rays, const RayHit& hit) {
   return rays.meshes()[static_cast<size_t>(hit.mesh)];
 }
 
-const Part& PartOf(const RayScene& rays, const RayHit& hit) {
-  return MeshOf(rays, hit).mesh.parts[static_cast<size_t>(hit.part)];
+const Part& GetPart(const RayScene& rays, const RayHit& hit) {
+  return GetMesh(rays, hit).mesh.parts[static_cast<size_t>(hit.part)];
 }
 
 // 1: lit by all of the lamp, or sees all of the sky.
@@ -44,13 +44,13 @@ double OpenShare(std::span<const char> blocked) {
 }  // namespace
 
 Colour MaterialColour(const RayScene& rays, const RayHit& hit) {
-  return LinearOf(PartOf(rays, hit).material.colour);
+  return DecodeColour(GetPart(rays, hit).material.colour);
 }
 
 Vector3d FacingNormal(const RayScene& rays, const RayHit& hit, const Vector3d& direction) {
-  const auto& corners = PartOf(rays, hit).quads[static_cast<size_t>(hit.quad)].corners;
+  const auto& corners = GetPart(rays, hit).quads[static_cast<size_t>(hit.quad)].corners;
   const Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const Vector3d normal = MeshOf(rays, hit).T_world_mesh.linear() * across.normalized();
+  const Vector3d normal = GetMesh(rays, hit).T_world_mesh.linear() * across.normalized();
   return normal.dot(direction) > 0 ? Vector3d(-normal) : normal;
 }
 
@@ -64,7 +64,7 @@ Colour MapShading::ColourAt(const RayHit& hit, const Vector3d& point) const {
   if (hit.mesh > 0) return MaterialColour(rays_, hit);
   const Vector2d from_corner = (ground_.T_world_ground.inverse() * point).head<2>() - ground_.area.min();
   const bool is_line = IsOnGridLine(from_corner.x()) || IsOnGridLine(from_corner.y());
-  return LinearOf(is_line ? kLineColour : kGroundColour);
+  return DecodeColour(is_line ? kLineColour : kGroundColour);
 }
 
 double MapShading::LightAt(const Vector3d& point, const Vector3d& normal, std::uint32_t hash) const {

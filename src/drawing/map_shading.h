@@ -58,7 +58,7 @@ Colour MaterialColour(const RayScene& rays, const RayHit& hit);
 Eigen::Vector3d FacingNormal(const RayScene& rays, const RayHit& hit, const Eigen::Vector3d& direction);
 
 // Between colours as they are picked and proportional to light, close enough to sRGB for a drawing.
-inline Colour LinearOf(const Colour& colour) { return colour.cwiseAbs2(); }
-inline Colour PickedOf(const Colour& linear) { return linear.cwiseMin(1).cwiseSqrt(); }
+inline Colour DecodeColour(const Colour& colour) { return colour.cwiseAbs2(); }
+inline Colour EncodeColour(const Colour& linear) { return linear.cwiseMin(1).cwiseSqrt(); }
 
 }  // namespace armature

@@ -21,7 +21,7 @@ constexpr double kGroundMargin = 0.3;          // metres around everything
 constexpr int kDirections = 36;                // that are tried in half a turn
 
 // What is drawn of the object, world frame; its centre where there is nothing.
-Matrix3Xd PointsOf(const MapSceneObject& object) {
+Matrix3Xd MakePoints(const MapSceneObject& object) {
   const Eigen::Index cad = object.cad.vertices.cols(), edges = object.wireframe.edges();
   Matrix3Xd points = Matrix3Xd::Zero(3, std::max<Eigen::Index>(1, cad + 2 * edges));
   if (cad > 0) points.leftCols(cad) = object.cad.vertices;
@@ -32,11 +32,11 @@ Matrix3Xd PointsOf(const MapSceneObject& object) {
   return object.T_world_object * points;
 }
 
-Matrix3Xd PointsOf(const MapScene& scene) {
+Matrix3Xd MakePoints(const MapScene& scene) {
   std::vector<Vector3d> points;
   for (const Eigen::Isometry3d& pose : scene.T_world_camera) points.push_back(pose.translation());
   for (const MapSceneObject& object : scene.objects) {
-    const Matrix3Xd of_object = PointsOf(object);
+    const Matrix3Xd of_object = MakePoints(object);
     for (const auto& point : of_object.colwise()) points.emplace_back(point);
   }
   if (points.empty()) points.emplace_back(0, 0, 0);
@@ -48,7 +48,7 @@ Matrix3Xd PointsOf(const MapScene& scene) {
 double FloorHeight(const MapScene& scene, const Matrix3Xd& points) {
   std::vector<double> lowest;
   for (const MapSceneObject& object : scene.objects) {
-    lowest.push_back((scene.up_world.transpose() * PointsOf(object)).minCoeff());
+    lowest.push_back((scene.up_world.transpose() * MakePoints(object)).minCoeff());
   }
   if (lowest.empty()) return (scene.up_world.transpose() * points).minCoeff();
   const auto quartile = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 4);
@@ -80,7 +80,7 @@ Eigen::Matrix3d ShallowAxes(const MapScene& scene, const Matrix3Xd& points) {
   return GroundAxes(shallow.dot(looking) < 0 ? Vector3d(-shallow) : shallow, scene.up_world);
 }
 
-MapGround GroundOf(const MapScene& scene, const Matrix3Xd& points) {
+MapGround MakeGround(const MapScene& scene, const Matrix3Xd& points) {
   MapGround ground;
   ground.T_world_ground.linear() = ShallowAxes(scene, points);
   ground.T_world_ground.translation() = FloorHeight(scene, points) * scene.up_world;
@@ -109,10 +109,10 @@ Vector3d NearestCentre(const Matrix3Xd& points, const Eigen::Vector2d& slopes) {
 
 }  // namespace
 
-MapView ViewOfMap(const MapScene& scene, int width, int height) {
+MapView FrameMap(const MapScene& scene, int width, int height) {
   MapView view;
-  const Matrix3Xd points = PointsOf(scene);
-  view.ground = GroundOf(scene, points);
+  const Matrix3Xd points = MakePoints(scene);
+  view.ground = MakeGround(scene, points);
   const double focal = width / 2. / std::tan(kFieldOfView / 2);
   view.camera = {width, height, focal, focal, (width - 1) / 2., (height - 1) / 2., {}};
   Eigen::Matrix3d R_ground_camera;

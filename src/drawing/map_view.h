@@ -24,6 +24,6 @@ struct MapView {
 // Obliquely from above, along the horizontal direction in which the map is shallow, on the side from which
 // its cameras look. The floor is where most objects that stand on it end; a map of nothing shows one square
 // metre of floor.
-MapView ViewOfMap(const MapScene& scene, int width, int height);
+MapView FrameMap(const MapScene& scene, int width, int height);
 
 }  // namespace armature

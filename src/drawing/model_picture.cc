@@ -28,7 +28,7 @@ Eigen::Isometry3d Centred(const Eigen::Isometry3d& T_camera_object, double least
   return centred;
 }
 
-double RadiusOf(const std::vector<TriangleMesh>& meshes) {
+double ComputeRadius(const std::vector<TriangleMesh>& meshes) {
   double radius = 0;
   for (const TriangleMesh& mesh : meshes)
     radius = std::max(radius, mesh.vertices.colwise().norm().maxCoeff());
@@ -67,7 +67,7 @@ class ModelPainter {
       : camera_(camera),
         T_object_camera_(T_object_camera),
         places_(SpreadPlaces(samples)),
-        shading_(MapBodies(SceneOf(mesh), FarGround()), FarGround()) {}
+        shading_(MapBodies(MakeScene(mesh), FarGround()), FarGround()) {}
 
   cv::Vec3b PixelAt(int x, int y) const {
     PixelLight light(shading_, Hash(x, y, 0, 1));
@@ -80,7 +80,7 @@ class ModelPainter {
   }
 
  private:
-  static MapScene SceneOf(const TriangleMesh& mesh) {
+  static MapScene MakeScene(const TriangleMesh& mesh) {
     MapScene scene;
     scene.objects.emplace_back().cad = mesh;
     return scene;
@@ -91,7 +91,7 @@ class ModelPainter {
     const RayHit hit = shading_.rays().Nearest(T_object_camera_.translation(), direction);
     if (hit.mesh <= 0) return {1, 1, 1};  // nothing, or the ground
     const Vector3d point = T_object_camera_.translation() + hit.distance * direction;
-    return PickedOf(light.At(hit, point, direction) * shading_.ColourAt(hit, point));
+    return EncodeColour(light.At(hit, point, direction) * shading_.ColourAt(hit, point));
   }
 
   Camera camera_;
@@ -105,7 +105,7 @@ class ModelPainter {
 std::vector<cv::Mat> DrawModels(const std::vector<TriangleMesh>& meshes,
                                 const Eigen::Isometry3d& T_camera_object,
                                 const ModelPictureOptions& options) {
-  const Eigen::Isometry3d T_view_object = Centred(T_camera_object, kClosest * RadiusOf(meshes));
+  const Eigen::Isometry3d T_view_object = Centred(T_camera_object, kClosest * ComputeRadius(meshes));
   const Camera camera = FittingCamera(meshes, T_view_object, options);
   std::vector<cv::Mat> pictures;
   for (const TriangleMesh& mesh : meshes) {

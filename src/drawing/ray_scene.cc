@@ -186,7 +186,7 @@ void RayScene::Nearest(const Vector3d& origin, std::span<const Vector3d> directi
   }
 }
 
-RayHit RayScene::NearestOfObject(int object, const Vector3d& origin, const Vector3d& direction) const {
+RayHit RayScene::HitNearestOfObject(int object, const Vector3d& origin, const Vector3d& direction) const {
   const auto scene = implementation_->objects.find(object);
   if (scene == implementation_->objects.end()) return {};
   return implementation_->NearestIn(scene->second, origin, direction);

@@ -43,7 +43,8 @@ class RayScene {
   void Nearest(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
                std::span<RayHit> hits) const;
   // As if there were nothing but this object.
-  RayHit NearestOfObject(int object, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+  RayHit HitNearestOfObject(int object, const Eigen::Vector3d& origin,
+                            const Eigen::Vector3d& direction) const;
   // Whether something is between the points, more than 1 mm from both.
   bool IsBlocked(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   // The same for each of many points b.

@@ -20,7 +20,7 @@ struct HalfSpace {
 };
 
 // The box's faces in the frame that T_frame_world leads to.
-Polyhedron FacesOf(const OrientedBox& box, const Eigen::Isometry3d& T_frame_world) {
+Polyhedron MakeFaces(const OrientedBox& box, const Eigen::Isometry3d& T_frame_world) {
   const Eigen::Isometry3d T_frame_box = T_frame_world * box.T_world_box;
   const double around[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   Polyhedron faces;
@@ -100,7 +100,7 @@ double Volume(const Polyhedron& solid) {
 }  // namespace
 
 double IntersectionVolume(const OrientedBox& a, const OrientedBox& b) {
-  Polyhedron rest = FacesOf(a, b.T_world_box.inverse());  // in the frame of b
+  Polyhedron rest = MakeFaces(a, b.T_world_box.inverse());  // in the frame of b
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       rest = Clipped(rest, {sign * Eigen::Vector3d::Unit(axis), b.size[axis] / 2});

@@ -20,7 +20,7 @@ struct Triangle {
   double area() const { return ab.cross(ac).norm() / 2; }
 };
 
-Triangle TriangleOf(const TriangleMesh& mesh, Eigen::Index i) {
+Triangle GetTriangle(const TriangleMesh& mesh, Eigen::Index i) {
   const Eigen::Vector3i v = mesh.triangles.col(i);
   const Eigen::Vector3d a = mesh.vertices.col(v[0]);
   return {a, mesh.vertices.col(v[1]) - a, mesh.vertices.col(v[2]) - a};
@@ -35,7 +35,7 @@ Eigen::Vector3f PointOn(const Triangle& triangle, Random& random) {
 std::vector<double> AreasUpTo(const TriangleMesh& mesh) {
   std::vector<double> areas;
   double sum = 0;
-  for (Eigen::Index i = 0; i < mesh.size(); ++i) areas.push_back(sum += TriangleOf(mesh, i).area());
+  for (Eigen::Index i = 0; i < mesh.size(); ++i) areas.push_back(sum += GetTriangle(mesh, i).area());
   return areas;
 }
 
@@ -56,7 +56,7 @@ Eigen::Matrix3Xf SampleSurface(const TriangleMesh& mesh, int count, std::uint64_
   for (int i = 0; i < count; ++i) {
     const double area = areas.back() * (i + random.Uniform(0, 1)) / count;
     while (triangle + 1 < mesh.size() && areas[static_cast<size_t>(triangle)] <= area) ++triangle;
-    points.col(i) = PointOn(TriangleOf(mesh, triangle), random);
+    points.col(i) = PointOn(GetTriangle(mesh, triangle), random);
   }
   return points;
 }
@@ -77,7 +77,7 @@ SurfacePoints::~SurfacePoints() = default;
 SurfacePoints::SurfacePoints(SurfacePoints&&) noexcept = default;
 SurfacePoints& SurfacePoints::operator=(SurfacePoints&&) noexcept = default;
 
-Eigen::VectorXf SurfacePoints::DistancesOf(const Eigen::Matrix3Xf& points) const {
+Eigen::VectorXf SurfacePoints::MeasureDistances(const Eigen::Matrix3Xf& points) const {
   Eigen::VectorXf distances(points.cols());
   pcl::Indices nearest(1);
   std::vector<float> squared(1);
@@ -90,8 +90,8 @@ Eigen::VectorXf SurfacePoints::DistancesOf(const Eigen::Matrix3Xf& points) const
 
 SurfaceDistance CompareSurfaces(const SurfacePoints& retrieved, const SurfacePoints& truth,
                                 double threshold) {
-  const Eigen::VectorXf from_retrieved = truth.DistancesOf(retrieved.points());
-  const Eigen::VectorXf from_truth = retrieved.DistancesOf(truth.points());
+  const Eigen::VectorXf from_retrieved = truth.MeasureDistances(retrieved.points());
+  const Eigen::VectorXf from_truth = retrieved.MeasureDistances(truth.points());
   SurfaceDistance distance;
   distance.chamfer = (from_retrieved.cast<double>().mean() + from_truth.cast<double>().mean()) / 2;
   distance.precision = ShareWithin(from_retrieved, threshold);

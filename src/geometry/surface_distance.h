@@ -24,7 +24,7 @@ class SurfacePoints {
 
   const Eigen::Matrix3Xf& points() const { return points_; }
   // The distance of each of the points to the nearest one of these, the points' unit.
-  Eigen::VectorXf DistancesOf(const Eigen::Matrix3Xf& points) const;
+  Eigen::VectorXf MeasureDistances(const Eigen::Matrix3Xf& points) const;
 
  private:
   struct Tree;

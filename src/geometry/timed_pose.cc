@@ -6,7 +6,7 @@
 
 namespace armature {
 
-std::optional<size_t> IndexOfStamp(const std::vector<TimedPose>& poses, double timestamp, double tolerance) {
+std::optional<size_t> FindStamp(const std::vector<TimedPose>& poses, double timestamp, double tolerance) {
   const auto later = std::lower_bound(poses.begin(), poses.end(), timestamp,
                                       [](const TimedPose& pose, double t) { return pose.timestamp < t; });
   auto nearest = later;

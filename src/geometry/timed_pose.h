@@ -21,7 +21,7 @@ struct TimedPose {
 };
 
 // The pose whose stamp is nearest, if it is within the tolerance. Poses by growing stamps.
-std::optional<size_t> IndexOfStamp(const std::vector<TimedPose>& poses, double timestamp,
-                                   double tolerance = kStampTolerance);
+std::optional<size_t> FindStamp(const std::vector<TimedPose>& poses, double timestamp,
+                                double tolerance = kStampTolerance);
 
 }  // namespace armature

@@ -32,7 +32,7 @@ Wireframe EmptyWireframe(const CategorySpec& spec) {
 }
 
 // The table's edges in the order of the specification.
-std::vector<TableEdge> EdgesOf(const AnnotationTable& table, const CategorySpec& spec) {
+std::vector<TableEdge> FindEdges(const AnnotationTable& table, const CategorySpec& spec) {
   std::vector<TableEdge> edges;
   for (const std::string& name : spec.edge_names) {
     const auto found = std::find_if(table.edges.begin(), table.edges.end(),
@@ -50,7 +50,7 @@ std::vector<TableEdge> EdgesOf(const AnnotationTable& table, const CategorySpec&
 
 std::vector<AnnotatedModel> ReadTable(const std::filesystem::path& file, const AnnotationTable& table,
                                       const CategorySpec& spec) {
-  const std::vector<TableEdge> edges = EdgesOf(table, spec);
+  const std::vector<TableEdge> edges = FindEdges(table, spec);
   const CsvTable csv(file, {table.id_column});
   std::vector<AnnotatedModel> models;
   for (const CsvRow& row : csv.rows()) {

@@ -61,8 +61,8 @@ Extents ReadExtents(const fs::path& folder, const CadSource& source) {
   return extents;
 }
 
-CadModel ModelOf(const CadSource& source, const AnnotatedModel& annotated, const fs::path& folder,
-                 const Extents& extents) {
+CadModel LookUpModel(const CadSource& source, const AnnotatedModel& annotated, const fs::path& folder,
+                     const Extents& extents) {
   CadModel model{.instance = source.prefix + annotated.id,
                  .category = source.category,
                  .wireframe = annotated.wireframe};
@@ -86,7 +86,7 @@ std::vector<CadModel> ReadSource(const fs::path& folder, const CadSource& source
   const Extents extents = ReadExtents(folder, source);
   std::map<std::string, CadModel> by_name;
   for (const AnnotatedModel& annotated : ReadAnnotations(folder / source.annotations, source.format, spec)) {
-    CadModel model = ModelOf(source, annotated, folder, extents);
+    CadModel model = LookUpModel(source, annotated, folder, extents);
     by_name[model.instance] = std::move(model);
   }
   std::vector<CadModel> models;

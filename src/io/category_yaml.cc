@@ -9,8 +9,8 @@
 
 #include "base/errors.h"
 #include "category/learn.h"
+#include "io/atomic_write.h"
 #include "io/category_spec_yaml.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -200,7 +200,7 @@ std::string CategoryText(const CategoryModel& model) {
 }
 
 void WriteCategory(const CategoryModel& model, const std::filesystem::path& file) {
-  WriteWholeFile(file, CategoryText(model));
+  AtomicWrite(file, CategoryText(model));
 }
 
 }  // namespace armature

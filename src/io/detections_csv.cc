@@ -51,9 +51,9 @@ std::optional<double> ReadAngle(const CsvRow& row, const std::string& column, bo
   return row.Number(column) * kDegree;
 }
 
-size_t ImageOfRow(const CsvRow& row, const std::vector<TimedPose>& stamps) {
+size_t FindImageOfRow(const CsvRow& row, const std::vector<TimedPose>& stamps) {
   const double timestamp = row.Number("timestamp");
-  const std::optional<size_t> index = IndexOfStamp(stamps, timestamp);
+  const std::optional<size_t> index = FindStamp(stamps, timestamp);
   if (!index) {
     throw InputError(row.At(fmt::format(
         "rgb.txt lists no image within 1 ms of stamp {:.6f}; use the stamps of rgb.txt", timestamp)));
@@ -85,7 +85,7 @@ std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& 
     detection.azimuth = ReadAngle(row, "azimuth_deg", has_azimuth);
     detection.elevation = ReadAngle(row, "elevation_deg", has_elevation);
     detection.tilt = ReadAngle(row, "tilt_deg", has_tilt);
-    detections[ImageOfRow(row, stamps)].push_back(detection);
+    detections[FindImageOfRow(row, stamps)].push_back(detection);
   }
   return detections;
 }

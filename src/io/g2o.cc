@@ -123,7 +123,7 @@ class G2oReader {
     g2o_.graph.poses.push_back(ParsePose(row, 2));
   }
 
-  size_t IndexOf(const std::string& id, const Row& row) const {
+  size_t FindIndex(const std::string& id, const Row& row) const {
     const auto entry = vertices_.find(ParseInteger(id, row.where));
     if (entry == vertices_.end()) {
       throw InputError(fmt::format("{}: {} names vertex {}, which the file does not have; add it as {}",
@@ -135,7 +135,7 @@ class G2oReader {
   void AddEdge(const Row& row) {
     CheckFieldCount(row, 2 + kPoseNumbers + kInformationNumbers,
                     "from to x y z qx qy qz qw I11 I12 ... I66 (upper triangle)");
-    const size_t from = IndexOf(row.fields[1], row), to = IndexOf(row.fields[2], row);
+    const size_t from = FindIndex(row.fields[1], row), to = FindIndex(row.fields[2], row);
     if (from == to) {
       throw InputError(
           fmt::format("{}: an edge from vertex {} to itself; remove it", row.where, row.fields[1]));
@@ -146,7 +146,7 @@ class G2oReader {
   void AddFixed(const Row& row) {
     if (row.fields.size() == 1)
       throw InputError(fmt::format("{}: FIX without a vertex; name one", row.where));
-    for (size_t i = 1; i < row.fields.size(); ++i) g2o_.graph.fixed.push_back(IndexOf(row.fields[i], row));
+    for (size_t i = 1; i < row.fields.size(); ++i) g2o_.graph.fixed.push_back(FindIndex(row.fields[i], row));
   }
 
   void CheckConnected() const {

@@ -23,7 +23,7 @@ class EdgeFiles {
  public:
   explicit EdgeFiles(fs::path folder) : folder_(std::move(folder)) {}
 
-  const Wireframe& EdgesOf(const CsvRow& instance, const CategorySpec& spec, bool held_out) {
+  const Wireframe& FindEdges(const CsvRow& instance, const CategorySpec& spec, bool held_out) {
     const std::string name = fmt::format("{}_edges{}.csv", spec.name, held_out ? "_held_out" : "");
     const WireframesById& wireframes = Read(name, spec);
     const auto found = wireframes.find(instance.Text("id"));
@@ -51,7 +51,7 @@ bool IsHeldOut(const CsvRow& row) {
   throw InputError(row.At(fmt::format("held_out is {}; give 0 or 1", held_out)));
 }
 
-Eigen::Vector3d SizeOf(const CsvRow& row) {
+Eigen::Vector3d ComputeSize(const CsvRow& row) {
   Eigen::Vector3d size(row.Number("size_x"), row.Number("size_y"), row.Number("size_z"));
   if ((size.array() > 0).all()) return size;
   throw InputError(row.At("a size is not positive; give metres along x, y and z"));
@@ -70,13 +70,13 @@ std::vector<CadModel> ReadGeneratedCad(const fs::path& folder, const std::vector
     const auto spec = std::find_if(specs.begin(), specs.end(),
                                    [&](const CategorySpec& s) { return s.name == row.Text("category"); });
     if (spec == specs.end()) continue;
-    const Eigen::Vector3d half = SizeOf(row) / 2;
+    const Eigen::Vector3d half = ComputeSize(row) / 2;
     const bool held_out = IsHeldOut(row);
     models.push_back({.instance = "armature:" + row.Text("id"),
                       .category = spec->name,
                       .held_out = held_out,
                       .metric = true,
-                      .wireframe = edges.EdgesOf(row, *spec, held_out),
+                      .wireframe = edges.FindEdges(row, *spec, held_out),
                       .box_min = -half,
                       .box_max = half,
                       .geometry = row.Text("mesh"),

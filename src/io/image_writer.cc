@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -26,7 +26,7 @@ void WritePicture(const std::filesystem::path& file, const cv::Mat& picture) {
   CheckPictureName(file);
   std::vector<unsigned char> bytes;
   cv::imencode(file.extension().string(), picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
-  WriteWholeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  AtomicWrite(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace armature

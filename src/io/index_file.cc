@@ -7,7 +7,7 @@
 #include "base/checksum.h"
 #include "base/errors.h"
 #include "base/text.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -59,7 +59,7 @@ void WriteIndex(const InstanceIndex& index, const fs::path& file) {
   for (const std::string& line :
        {kIndexVersion, MethodLine(index.Description()), FeaturesLine(index.features()), PayloadLine(payload)})
     content += line + '\n';
-  WriteWholeFile(file, content + payload);
+  AtomicWrite(file, content + payload);
 }
 
 InstanceIndex ReadIndex(const fs::path& file, Eigen::MatrixXf features, const IndexMethod& method) {

@@ -11,7 +11,7 @@
 #include "base/checksum.h"
 #include "base/errors.h"
 #include "base/text.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -128,7 +128,7 @@ CategoryInstances TakeCategory(Reader& reader) {
   return instances;
 }
 
-std::uint64_t SumOf(std::string_view bytes) { return Checksum(std::as_bytes(std::span(bytes))); }
+std::uint64_t SumStages(std::string_view bytes) { return Checksum(std::as_bytes(std::span(bytes))); }
 
 // What is between magic, version and checksum, once these are right.
 std::string_view Checked(const fs::path& file, std::string_view bytes) {
@@ -140,7 +140,7 @@ std::string_view Checked(const fs::path& file, std::string_view bytes) {
     RefuseLibrary(file, fmt::format("is of version {}, not {}", version, kLibraryVersion));
   const size_t end = bytes.size() - sizeof(std::uint64_t);
   Reader sum(file, bytes.substr(end));
-  if (sum.Take<std::uint64_t>() != SumOf(bytes.substr(0, end)))
+  if (sum.Take<std::uint64_t>() != SumStages(bytes.substr(0, end)))
     RefuseLibrary(file, "is damaged or cut short");
   return bytes.substr(start, end - start);
 }
@@ -160,8 +160,8 @@ void WriteLibrary(const InstanceLibrary& library, const fs::path& file) {
   bytes.Add(RelativeTo(fs::absolute(file).parent_path(), library.root).string());
   bytes.Add(static_cast<std::uint64_t>(library.categories.size()));
   for (const CategoryInstances& instances : library.categories) AddCategory(instances, bytes);
-  bytes.Add(SumOf(bytes.all()));
-  WriteWholeFile(file, bytes.all());
+  bytes.Add(SumStages(bytes.all()));
+  AtomicWrite(file, bytes.all());
 }
 
 InstanceLibrary ReadLibrary(const fs::path& file, const std::vector<CategoryModel>& models) {

@@ -36,8 +36,8 @@ pcl::PolygonMesh LoadPolygons(const std::filesystem::path& file) {
   ThrowMalformed(file);
 }
 
-const pcl::PCLPointField& FieldOf(const pcl::PCLPointCloud2& cloud, const std::string& name,
-                                  const std::filesystem::path& file) {
+const pcl::PCLPointField& FindField(const pcl::PCLPointCloud2& cloud, const std::string& name,
+                                    const std::filesystem::path& file) {
   for (const pcl::PCLPointField& field : cloud.fields) {
     if (field.name == name) return field;
   }
@@ -56,7 +56,8 @@ double RealAt(const std::uint8_t* bytes, int datatype) {
 }
 
 void AddVertices(const pcl::PCLPointCloud2& cloud, const std::filesystem::path& file, MeshBuilder& mesh) {
-  const std::array fields{FieldOf(cloud, "x", file), FieldOf(cloud, "y", file), FieldOf(cloud, "z", file)};
+  const std::array fields{FindField(cloud, "x", file), FindField(cloud, "y", file),
+                          FindField(cloud, "z", file)};
   // The cloud's width may come from a camera in the file: only the data tell how many vertices there are.
   for (size_t first = 0; first + cloud.point_step <= cloud.data.size(); first += cloud.point_step) {
     Eigen::Vector3d vertex;
@@ -73,7 +74,7 @@ std::uint32_t Packed(const ColourBytes& colour) {
 }
 
 // PCL's colours are those of vertices: each vertex once for each colour of its triangles.
-pcl::PolygonMesh PolygonsOf(const TriangleMesh& mesh) {
+pcl::PolygonMesh MakePolygons(const TriangleMesh& mesh) {
   pcl::PointCloud<pcl::PointXYZRGB> cloud;
   pcl::PolygonMesh polygons;
   std::unordered_map<std::uint64_t, pcl::index_t> coloured;
@@ -116,7 +117,7 @@ void WritePly(const TriangleMesh& mesh, const std::filesystem::path& file) {
   bool is_written = false;
   std::error_code failed;
   try {
-    is_written = pcl::io::savePLYFileBinary(aside.string(), PolygonsOf(mesh)) == 0;
+    is_written = pcl::io::savePLYFileBinary(aside.string(), MakePolygons(mesh)) == 0;
   } catch (const pcl::IOException&) {
   }
   if (is_written) std::filesystem::rename(aside, file, failed);

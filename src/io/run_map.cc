@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr double kSameStamp = 1e-3;  // seconds
 
-const CategoryModel& ModelOf(const std::string& category, const std::vector<CategoryModel>& models,
-                             const fs::path& file) {
+const CategoryModel& LookUpModel(const std::string& category, const std::vector<CategoryModel>& models,
+                                 const fs::path& file) {
   for (const CategoryModel& model : models) {
     if (model.spec.name == category) return model;
   }
@@ -38,7 +38,7 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
   const std::map<std::string, StoredEvidence> evidence = ReadShapeEvidence(run / "shape_evidence.csv");
   std::vector<MapObject> objects;
   for (const PlacedObject& placed : ReadPlacedObjects(file)) {
-    const CategoryModel& model = ModelOf(placed.category, models, file);
+    const CategoryModel& model = LookUpModel(placed.category, models, file);
     const auto of_shape = evidence.find(placed.id);
     if (static_cast<int>(placed.shape.size()) != model.modes() || of_shape == evidence.end() ||
         of_shape->second.evidence.vector.size() != model.modes() ||
@@ -56,7 +56,7 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
 }
 
 // -1: no object, or one that is not in the map.
-int IndexOf(const std::string& id, const std::vector<MapObject>& objects) {
+int FindIndex(const std::string& id, const std::vector<MapObject>& objects) {
   const auto found =
       std::find_if(objects.begin(), objects.end(), [&](const MapObject& object) { return object.id == id; });
   return found == objects.end() ? -1 : static_cast<int>(found - objects.begin());
@@ -89,7 +89,7 @@ Map ReadRunMap(const RunResults& run, const std::vector<CategoryModel>& models) 
     if (camera == map.timestamps.end() || *camera > observation.timestamp + kSameStamp) continue;
     std::vector<int>& phi = map.phi[static_cast<size_t>(camera - map.timestamps.begin())];
     phi.resize(std::max(phi.size(), static_cast<size_t>(observation.index) + 1), -1);
-    phi[static_cast<size_t>(observation.index)] = IndexOf(observation.object, map.objects);
+    phi[static_cast<size_t>(observation.index)] = FindIndex(observation.object, map.objects);
   }
   return map;
 }
@@ -102,9 +102,9 @@ Options ReadRunOptions(const fs::path& run) {
   return options;
 }
 
-ViewsOfCameras ViewsOf(const Map& map, const std::vector<size_t>& cameras, const Sequence& sequence,
-                       const std::vector<CategoryModel>& models, const Options& options) {
-  const Eigen::Vector3d up_world = UpOf(map);
+ViewsOfCameras MakeViews(const Map& map, const std::vector<size_t>& cameras, const Sequence& sequence,
+                         const std::vector<CategoryModel>& models, const Options& options) {
+  const Eigen::Vector3d up_world = EstimateUp(map);
   const std::unique_ptr<LineDetector> detector = MakeLineDetector(options.lines);
   ViewsOfCameras views;
   for (const size_t camera : cameras) {
@@ -121,8 +121,8 @@ ViewsOfCameras ViewsOf(const Map& map, const std::vector<size_t>& cameras, const
         DetectSegments(*detector, gray, sequence.camera, boxes, options.lines);
     const Eigen::Vector3d up_camera = map.T_world_camera[camera].linear().transpose() * up_world;
     for (const Detection& detection : sequence.detections[image]) {
-      views[camera].push_back(ViewOf(detection, segments, up_camera, sequence.camera,
-                                     ModelOf(detection.category, models, sequence.folder), options));
+      views[camera].push_back(MakeView(detection, segments, up_camera, sequence.camera,
+                                       LookUpModel(detection.category, models, sequence.folder), options));
     }
   }
   return views;

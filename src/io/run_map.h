@@ -26,7 +26,7 @@ Options ReadRunOptions(const std::filesystem::path& run);
 // What was detected in the images of these cameras, with the lines found anew. The sequence has to be the one
 // of the map. Throws InputError: an image that cannot be read, a camera of the map without image in the
 // sequence.
-ViewsOfCameras ViewsOf(const Map& map, const std::vector<size_t>& cameras, const Sequence& sequence,
-                       const std::vector<CategoryModel>& models, const Options& options);
+ViewsOfCameras MakeViews(const Map& map, const std::vector<size_t>& cameras, const Sequence& sequence,
+                         const std::vector<CategoryModel>& models, const Options& options);
 
 }  // namespace armature

@@ -21,7 +21,7 @@ using Key = std::pair<long long, int>;
 
 const std::vector<std::string> kPose = {"tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
-Key KeyOf(double timestamp, int index) { return {Microseconds(timestamp), index}; }
+Key MakeKey(double timestamp, int index) { return {Microseconds(timestamp), index}; }
 
 void ReadSummary(const std::filesystem::path& file, RunIdentity& run) {
   const auto json = nlohmann::json::parse(ReadTextFile(file), nullptr, false);
@@ -52,7 +52,7 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
     if (table.HasColumn("object")) observation.object = row.Text("object");
     if (table.HasColumn("shape"))
       observation.shape = ParseNumbers(row.Text("shape"), row.At("column 'shape'"));
-    const Key key = KeyOf(observation.timestamp, observation.index);
+    const Key key = MakeKey(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));
     }
@@ -63,7 +63,7 @@ void ReadAssociations(const std::filesystem::path& file, RunResults& run) {
   const CsvTable table(
       file, {"timestamp", "index", "edge", "segment_x1", "segment_y1", "segment_x2", "segment_y2"});
   for (const CsvRow& row : table.rows()) {
-    const auto found = run.observations.find(KeyOf(row.Number("timestamp"), row.Integer("index")));
+    const auto found = run.observations.find(MakeKey(row.Number("timestamp"), row.Integer("index")));
     if (found == run.observations.end()) {
       throw InputError(
           row.At("observations.csv has no row of this timestamp and index; the files are of two runs"));

@@ -46,7 +46,7 @@ size_t EdgesMatched(const std::vector<EdgeMatch>& matches) {
   return edges.size();
 }
 
-std::vector<TimedPose> TrajectoryOf(const Map& map) {
+std::vector<TimedPose> MakeTrajectory(const Map& map) {
   std::vector<TimedPose> poses;
   for (size_t i = 0; i < map.timestamps.size(); ++i) {
     poses.push_back({.timestamp = map.timestamps[i], .pose = map.T_world_camera[i]});
@@ -65,7 +65,7 @@ std::string ObjectsText(const std::vector<MapObject>& objects) {
   return text;
 }
 
-const CategorySpec& SpecOf(const std::vector<CategoryModel>& models, const std::string& category) {
+const CategorySpec& FindSpec(const std::vector<CategoryModel>& models, const std::string& category) {
   for (const CategoryModel& model : models) {
     if (model.spec.name == category) return model.spec;
   }
@@ -87,8 +87,8 @@ RunWriter::RunWriter(const std::filesystem::path& folder, std::vector<CategoryMo
 void RunWriter::WriteConfig(const std::string& yaml) { WriteFile(File("config.yaml"), yaml); }
 
 void RunWriter::WriteMaps(const Map& map, const Map& by_odometry) {
-  WriteTumTrajectory(File("trajectory.txt"), TrajectoryOf(map));
-  WriteTumTrajectory(File("odometry_scaled.txt"), TrajectoryOf(by_odometry));
+  WriteTumTrajectory(File("trajectory.txt"), MakeTrajectory(map));
+  WriteTumTrajectory(File("odometry_scaled.txt"), MakeTrajectory(by_odometry));
   WriteFile(File("objects.csv"), ObjectsText(map.objects));
   WriteFile(File("objects_odometry.csv"), ObjectsText(by_odometry.objects));
   WriteFile(File("shape_evidence.csv"), ShapeEvidenceText(map.objects));
@@ -138,7 +138,7 @@ void RunWriter::WriteObservations() {
 }
 
 void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation) {
-  const CategorySpec& spec = SpecOf(models_, observation.detection.category);
+  const CategorySpec& spec = FindSpec(models_, observation.detection.category);
   for (const EdgeMatch& match : observation.estimate.matches) {
     const Segment& segment = match.segment;
     associations_ << fmt::format("{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index,

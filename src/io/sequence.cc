@@ -21,7 +21,7 @@ void CheckFolder(const std::filesystem::path& folder) {
                   folder.string(), exists ? "is not a folder" : "does not exist"));
 }
 
-std::vector<double> StampsOf(const std::vector<ImageEntry>& images) {
+std::vector<double> CollectStamps(const std::vector<ImageEntry>& images) {
   std::vector<double> stamps;
   stamps.reserve(images.size());
   for (const ImageEntry& image : images) stamps.push_back(image.timestamp);
@@ -29,7 +29,7 @@ std::vector<double> StampsOf(const std::vector<ImageEntry>& images) {
 }
 
 void LoadOdometry(const std::filesystem::path& file, const OdometryOptions& options, Sequence* sequence) {
-  const std::vector<double> stamps = StampsOf(sequence->images);
+  const std::vector<double> stamps = CollectStamps(sequence->images);
   if (std::filesystem::exists(file)) sequence->odometry = ReadTrajectory(file, {.stamps = stamps});
   OdometryAtImages at_images = PosesAtImages(sequence->odometry, stamps, options);
   sequence->T_odom_camera = std::move(at_images.T_odom_camera);
@@ -63,7 +63,7 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   return sequence;
 }
 
-std::string NameOfDraw(const std::string& scene, int draw) {
+std::string NameDraw(const std::string& scene, int draw) {
   return draw == 1 ? scene : fmt::format("{}-draw{}", scene, draw);
 }
 

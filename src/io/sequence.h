@@ -55,7 +55,7 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
                       const OdometryOptions& odometry = {});
 
 // The sequence of a rendered scene's n-th draw: "seq1", "seq1-draw2", "seq1-draw3", ...
-std::string NameOfDraw(const std::string& scene, int draw);
+std::string NameDraw(const std::string& scene, int draw);
 
 // The parts of LoadSequence.
 SequenceSettings ReadSequenceSettings(const std::filesystem::path& file);

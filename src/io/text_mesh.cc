@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Words WordsOf(const std::string& text) {
+Words SplitWords(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
@@ -46,7 +46,7 @@ std::int64_t ObjCorner(const std::string& field, int line, const MeshBuilder& me
 }
 
 void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
-  const Words words = WordsOf(line.text);
+  const Words words = SplitWords(line.text);
   if (words[0] == "v") return AddVertex(words, 1, line.number, mesh);
   if (words[0] != "f") return;
   std::vector<std::int64_t> corners;
@@ -55,7 +55,7 @@ void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
 }
 
 void AddOffFace(const TextLine& line, MeshBuilder& mesh) {
-  const Words words = WordsOf(line.text);
+  const Words words = SplitWords(line.text);
   const std::string where = mesh.At(line.number);
   const int count = ParseInteger(words[0], where);
   if (count < 0 || words.size() - 1 < static_cast<size_t>(count)) {
@@ -80,7 +80,7 @@ OffCounts ReadOffCounts(const std::filesystem::path& file, const std::vector<Tex
   const size_t head = rest.empty() ? 2 : 1;
   if (lines.size() < head) throw InputError(fmt::format("{}: ends after OFF; copy it again", file.string()));
   const std::string where = fmt::format("{}:{}", file.string(), lines[head - 1].number);
-  const Words counts = WordsOf(rest.empty() ? lines[1].text : rest);
+  const Words counts = SplitWords(rest.empty() ? lines[1].text : rest);
   const int vertices = ParseInteger(counts[0], where);
   const int faces = counts.size() < 2 ? -1 : ParseInteger(counts[1], where);
   if (vertices < 0 || faces < 0) {
@@ -106,7 +106,8 @@ TriangleMesh ReadOff(const std::filesystem::path& file) {
   }
   MeshBuilder mesh(file);
   const TextLine* line = lines.data() + counts.lines;
-  for (size_t i = 0; i < counts.vertices; ++i, ++line) AddVertex(WordsOf(line->text), 0, line->number, mesh);
+  for (size_t i = 0; i < counts.vertices; ++i, ++line)
+    AddVertex(SplitWords(line->text), 0, line->number, mesh);
   for (size_t i = 0; i < counts.faces; ++i, ++line) AddOffFace(*line, mesh);
   return mesh.Build();
 }

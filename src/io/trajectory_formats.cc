@@ -24,7 +24,7 @@ struct LineLayout {
   const char* example;
 };
 
-const LineLayout& LayoutOf(TrajectoryFormat format) {
+const LineLayout& GetLayout(TrajectoryFormat format) {
   static const std::array<LineLayout, 3> layouts{{{"TUM", 8, false, "timestamp tx ty tz qx qy qz qw"},
                                                   {"KITTI", 12, false, "r11 r12 r13 tx r21 .. tz"},
                                                   {"EuRoC", 8, true, "timestamp,px,py,pz,qw,qx,qy,qz"}}};
@@ -57,9 +57,9 @@ std::string Described(const Fields& fields) {
   return fmt::format("{} numbers{}", fields.texts.size(), fields.has_commas ? " between commas" : "");
 }
 
-TrajectoryFormat FormatOf(const Fields& first, const std::string& where) {
+TrajectoryFormat DetectFormat(const Fields& first, const std::string& where) {
   for (const auto format : {TrajectoryFormat::kTum, TrajectoryFormat::kKitti, TrajectoryFormat::kEuroc}) {
-    if (first.Match(LayoutOf(format))) return format;
+    if (first.Match(GetLayout(format))) return format;
   }
   throw InputError(
       fmt::format("{}: {} are no pose; write 8 for TUM ('timestamp tx ty tz qx qy qz qw'), 12 for KITTI, or "
@@ -113,7 +113,7 @@ TimedPose KittiPose(const std::vector<double>& v, const std::string& where) {
 
 TimedPose ParsePose(const Fields& fields, TrajectoryFormat format, const std::string& where) {
   std::vector<double> values;
-  for (size_t i = 0; i < LayoutOf(format).fields; ++i) values.push_back(ParseNumber(fields.texts[i], where));
+  for (size_t i = 0; i < GetLayout(format).fields; ++i) values.push_back(ParseNumber(fields.texts[i], where));
   if (format == TrajectoryFormat::kKitti) return KittiPose(values, where);
   return format == TrajectoryFormat::kTum ? TumPose(values, where) : EurocPose(values, where);
 }
@@ -134,8 +134,8 @@ void CheckOrder(const TimedPose& earlier, const TimedPose& later, RepeatedStamps
 }
 
 // KITTI's poses have no stamps of their own.
-double StampOfLine(size_t index, size_t lines, const TrajectoryReading& reading,
-                   const std::filesystem::path& file) {
+double ComputeLineStamp(size_t index, size_t lines, const TrajectoryReading& reading,
+                        const std::filesystem::path& file) {
   if (reading.stamps.empty()) return static_cast<double>(index) / reading.rate;
   if (lines == reading.stamps.size()) return reading.stamps[index];
   throw InputError(fmt::format("{}: has {} poses for {} stamps; write one line of 12 numbers a stamp",
@@ -158,12 +158,12 @@ std::vector<TimedPose> ReadTrajectory(const std::filesystem::path& file, const T
   for (const TextLine& line : lines) {
     const std::string where = fmt::format("{}:{}", file.string(), line.number);
     const Fields fields = Split(line.text);
-    if (format == TrajectoryFormat::kAuto) format = FormatOf(fields, where);
-    CheckLayout(fields, LayoutOf(format), where);
+    if (format == TrajectoryFormat::kAuto) format = DetectFormat(fields, where);
+    CheckLayout(fields, GetLayout(format), where);
     TimedPose pose = ParsePose(fields, format, where);
     pose.line = line.number;
     if (format == TrajectoryFormat::kKitti) {
-      pose.timestamp = StampOfLine(poses.size(), lines.size(), reading, file);
+      pose.timestamp = ComputeLineStamp(poses.size(), lines.size(), reading, file);
     }
     if (!poses.empty()) CheckOrder(poses.back(), pose, reading.repeated, where);
     poses.push_back(pose);

@@ -30,8 +30,8 @@ SeenObject SeenFrom(const Eigen::Isometry3d& T_world_camera, const GraphObject& 
 }
 
 // The faces of every object of the map, whether it was detected in the image or not.
-std::vector<std::vector<ImageFace>> FacesOf(const MapGraph& graph, const std::vector<SeenObject>& seen,
-                                            const Camera& camera) {
+std::vector<std::vector<ImageFace>> MakeFaces(const MapGraph& graph, const std::vector<SeenObject>& seen,
+                                              const Camera& camera) {
   std::vector<std::vector<ImageFace>> faces;
   for (size_t o = 0; o < seen.size(); ++o) {
     faces.push_back(
@@ -69,10 +69,10 @@ BoxSides SidesSeen(const ObjectView& view, const SeenObject& object, const BoxOp
   return sides;
 }
 
-std::optional<ObjectFactor> FactorOf(const MapObservation& observation, const SeenObject& object,
-                                     const std::vector<ImageFace>& occluders, const MatchGate& gate,
-                                     const BoxOptions& box, const ResectionOptions& resection,
-                                     const RefinementOptions& options) {
+std::optional<ObjectFactor> MakeFactor(const MapObservation& observation, const SeenObject& object,
+                                       const std::vector<ImageFace>& occluders, const MatchGate& gate,
+                                       const BoxOptions& box, const ResectionOptions& resection,
+                                       const RefinementOptions& options) {
   const ObjectView& view = observation.view;
   const BoxSides sides = SidesSeen(view, object, box);
   ProjectedWireframe projected;
@@ -99,14 +99,14 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
     if (frames[i].observations.empty()) continue;
     std::vector<SeenObject> seen;
     for (const GraphObject& object : graph.objects) seen.push_back(SeenFrom(graph.T_world_camera[i], object));
-    const auto faces = FacesOf(graph, seen, *frames[i].observations.front().view.camera);
+    const auto faces = MakeFaces(graph, seen, *frames[i].observations.front().view.camera);
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
       if (phi[i][j] < 0) continue;
       const auto object = static_cast<size_t>(phi[i][j]);
       const MapObservation& observation = frames[i].observations[j];
       std::optional<ObjectFactor> factor =
-          FactorOf(observation, seen[object], Occluders(faces, object, observation.view), gate, box,
-                   resection, options);
+          MakeFactor(observation, seen[object], Occluders(faces, object, observation.view), gate, box,
+                     resection, options);
       if (!factor) continue;
       factor->camera = static_cast<int>(i);
       factor->object = phi[i][j];

@@ -44,7 +44,7 @@ const PlacedView& Medoid(const std::vector<PlacedView>& views) {
   return views[medoid];
 }
 
-ObjectFactor FactorOfView(const PlacedView& view, const GraphObject& object, const FactorNoise& noise) {
+ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object, const FactorNoise& noise) {
   const double yaw = YawBetween(object.T_world_object, view.T_world_object);
   const double turned = AzimuthDifference(yaw, 0, object.model->spec.symmetry_order);
   ObjectFactor factor =
@@ -61,8 +61,8 @@ double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T
   return std::atan2(R_a_b(0, 2), R_a_b(2, 2));
 }
 
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
-                         const StepNoise& noise, double knot_seconds, double up_sigma_deg) {
+MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
+                           const StepNoise& noise, double knot_seconds, double up_sigma_deg) {
   MapGraph graph;
   graph.expected_scale = expected_scale;
   graph.scale_is_held = expected_scale.sigma <= 0;
@@ -144,7 +144,7 @@ void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& 
     graph.objects.push_back(
         {medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
     for (const PlacedView& view : of_object) {
-      graph.observations.push_back(FactorOfView(view, graph.objects.back(), noise));
+      graph.observations.push_back(MakeViewFactor(view, graph.objects.back(), noise));
       graph.observations.back().object = number;
     }
   }

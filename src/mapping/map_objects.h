@@ -16,8 +16,8 @@ struct StepNoise {
 };
 
 // Cameras, odometry factors, scale (held where its sigma is 0) and up; no objects.
-MapGraph GraphOfOdometry(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
-                         const StepNoise& noise, double knot_seconds, double up_sigma_deg);
+MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
+                           const StepNoise& noise, double knot_seconds, double up_sigma_deg);
 
 // The front end's tracks, broken where they were not seen for longer than `recent_seconds`, numbered from 0
 // in the order of their first observation. Pieces of fewer than `min_observations` are left out (-1).

@@ -176,7 +176,7 @@ std::vector<double*> FreeBlocks(Blocks& blocks, const ceres::Problem& problem) {
   return free;
 }
 
-Eigen::SparseMatrix<double> JacobianOf(ceres::Problem& problem, const std::vector<double*>& blocks) {
+Eigen::SparseMatrix<double> EvaluateJacobian(ceres::Problem& problem, const std::vector<double*>& blocks) {
   ceres::Problem::EvaluateOptions evaluate;
   evaluate.parameter_blocks = blocks;
   ceres::CRSMatrix rows;
@@ -209,7 +209,7 @@ std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& 
   Blocks blocks(graph);
   ceres::Problem problem;
   AddFactors(graph, options, blocks, problem);
-  const Eigen::SparseMatrix<double> J = JacobianOf(problem, FreeBlocks(blocks, problem));
+  const Eigen::SparseMatrix<double> J = EvaluateJacobian(problem, FreeBlocks(blocks, problem));
   // The scale's knots are the last columns: the mean's variance is w^T (J^T J)^-1 w.
   const auto knots = static_cast<Eigen::Index>(blocks.log_scale.size());
   Eigen::VectorXd w = Eigen::VectorXd::Zero(J.cols());

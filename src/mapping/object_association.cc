@@ -32,7 +32,7 @@ struct Seen {
   std::set<int> cameras;
 };
 
-std::vector<Seen> SeenOf(const MapGraph& graph) {
+std::vector<Seen> CollectSeen(const MapGraph& graph) {
   std::vector<Seen> seen(graph.objects.size());
   for (const ObjectFactor& factor : graph.observations) {
     seen[static_cast<size_t>(factor.object)].factors.push_back(&factor);
@@ -47,7 +47,7 @@ int Together(const Seen& a, const Seen& b) {
   return count;
 }
 
-OrientedBox BoxOf(const GraphObject& object) {
+OrientedBox MakeBox(const GraphObject& object) {
   return {object.T_world_object,
           BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
 }
@@ -76,7 +76,7 @@ double LeastBetween(const Seen& a, const Seen& b, const std::vector<double>& axi
   return least;
 }
 
-std::vector<double> StampsOf(const std::vector<MapFrame>& frames) {
+std::vector<double> CollectStamps(const std::vector<MapFrame>& frames) {
   std::vector<double> stamps;
   for (const MapFrame& frame : frames) stamps.push_back(frame.timestamp);
   return stamps;
@@ -145,7 +145,7 @@ Candidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen&
                   std::abs(turned) > 0.5 * M_PI};
   const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
   const double distance = Distance(graph, a, seen, join.turn, join.flipped, drift);
-  const bool overlap = IntersectionOverUnion(BoxOf(a), BoxOf(b)) > options.overlap;
+  const bool overlap = IntersectionOverUnion(MakeBox(a), MakeBox(b)) > options.overlap;
   return {join, overlap ? std::min(distance, options.gate) : distance};
 }
 
@@ -153,9 +153,9 @@ Candidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen&
 std::vector<Candidate> Candidates(const MapGraph& graph, const std::vector<MapFrame>& frames,
                                   std::optional<double> seconds_between,
                                   const ObjectAssociationOptions& options) {
-  const std::vector<Seen> seen = SeenOf(graph);
+  const std::vector<Seen> seen = CollectSeen(graph);
   const Eigen::MatrixXd ways = WaysBetween(seen, Travelled(graph));
-  const std::vector<double> stamps = StampsOf(frames);
+  const std::vector<double> stamps = CollectStamps(frames);
   std::vector<Candidate> candidates;
   for (size_t a = 0; a < seen.size(); ++a) {
     for (size_t b = 0; b < seen.size(); ++b) {
@@ -186,7 +186,7 @@ std::optional<std::pair<int, int>> Others(const Join& a, const Join& b) {
 
 // Itself first, then the joins that cannot be if it is: those that take one of its objects for a third one
 // which cannot be the same as its other. What would have to be flipped is no rival of what need not.
-std::vector<Join> RivalsOf(const Candidate& candidate, const std::vector<Candidate>& candidates) {
+std::vector<Join> FindRivals(const Candidate& candidate, const std::vector<Candidate>& candidates) {
   std::vector<Join> rivals{candidate.join};
   for (const Candidate& rival : candidates) {
     const auto others = Others(candidate.join, rival.join);
@@ -206,7 +206,7 @@ std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& 
   const std::vector<Candidate> candidates = Candidates(graph, frames, seconds_between, options);
   std::vector<Join> first;
   for (const Candidate& candidate : candidates) {
-    std::vector<Join> rivals = RivalsOf(candidate, candidates);
+    std::vector<Join> rivals = FindRivals(candidate, candidates);
     if (rivals.size() == 1) return rivals;
     if (first.empty()) first = std::move(rivals);
   }

@@ -74,8 +74,8 @@ Eigen::MatrixXd OfShapeAlone(const Eigen::MatrixXd& H, Eigen::Index modes) {
 
 }  // namespace
 
-ShapeEvidence EvidenceOfShape(const MapGraph& graph, int object, double scale_sigma,
-                              const MapSolverOptions& options) {
+ShapeEvidence ComputeShapeEvidence(const MapGraph& graph, int object, double scale_sigma,
+                                   const MapSolverOptions& options) {
   const GraphObject& of = graph.objects[static_cast<size_t>(object)];
   const Eigen::Index modes = of.coefficients.size();
   Eigen::MatrixXd H = JointInformation(graph, object, options);

@@ -21,7 +21,7 @@ struct ShapeEvidence {
 // losses, and the object's stand on the floor; marginal over its pose and over the map's scale
 // (`scale_sigma`: of its logarithm). The category's prior is taken out again: the gradient of all else equals
 // that of the prior at the optimum.
-ShapeEvidence EvidenceOfShape(const MapGraph& graph, int object, double scale_sigma,
-                              const MapSolverOptions& options);
+ShapeEvidence ComputeShapeEvidence(const MapGraph& graph, int object, double scale_sigma,
+                                   const MapSolverOptions& options);
 
 }  // namespace armature

@@ -99,7 +99,7 @@ void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, const M
         const std::string& category = object.model->spec.name;
         map.objects.push_back({category + std::to_string(numbers[category]++), object.model,
                                object.T_world_object, object.coefficients, observations[o],
-                               EvidenceOfShape(graph, of_frame[j], scale_sigma, options.solver)});
+                               ComputeShapeEvidence(graph, of_frame[j], scale_sigma, options.solver)});
       }
       map.phi.back()[j] = kept[o];
     }
@@ -158,7 +158,7 @@ double Map::MeanScale() const {
 Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
   MapGraph graph =
-      GraphOfOdometry(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
+      MakeOdometryGraph(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
   AddObjects(frames, phi, options.view_noise, graph);
   JoinWhileSolving(frames, options, graph, phi);
@@ -167,8 +167,8 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
-  MapGraph graph = GraphOfOdometry(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
-                                   options.up_sigma_deg);
+  MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
+                                     options.up_sigma_deg);
   graph.cameras_are_held = true;
   AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), options.view_noise, graph);
   SolveMapGraph(graph, options.solver);

@@ -49,7 +49,7 @@ OdometryAtImages PosesAtImages(const std::vector<TimedPose>& odometry, const std
   coverage.images = static_cast<int>(stamps.size());
   for (const double stamp : stamps) {
     std::optional<Eigen::Isometry3d> pose;
-    if (const auto index = IndexOfStamp(odometry, stamp, options.tolerance)) {
+    if (const auto index = FindStamp(odometry, stamp, options.tolerance)) {
       pose = odometry[*index].pose;
     } else {
       pose = Interpolated(odometry, stamp, options.max_gap);

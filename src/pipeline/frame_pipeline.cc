@@ -14,7 +14,7 @@
 namespace armature {
 namespace {
 
-std::vector<Box> BoxesOf(const std::vector<Detection>& detections) {
+std::vector<Box> CollectBoxes(const std::vector<Detection>& detections) {
   std::vector<Box> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);
   return boxes;
@@ -50,7 +50,7 @@ FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input)
 DetectedLines FramePipeline::DetectLines(const cv::Mat& gray, const std::vector<Detection>& detections) {
   DetectedLines lines;
   const StageClock clock(lines.milliseconds);
-  lines.segments = DetectSegments(*detector_, gray, camera_, BoxesOf(detections), options_.lines);
+  lines.segments = DetectSegments(*detector_, gray, camera_, CollectBoxes(detections), options_.lines);
   return lines;
 }
 
@@ -65,11 +65,11 @@ FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given)
   std::vector<int> tracks;
   {  // what is known before an object is looked at
     const StageClock clock(result.times.mapping);
-    const UpEstimate up = UpOf(input, result.segments);
+    const UpEstimate up = EstimateUp(input, result.segments);
     result.up_camera = up.up_camera;
     result.up_sigma = up.sigma;
     result.floor = floor_.Predict(input.timestamp, ClimbSinceLastFrame(input, up));
-    views = ViewsOf(input, result);
+    views = MakeViews(input, result);
     tracks = Recall(input, views);
   }
   const std::vector<SingleViewResult> estimations = EstimateObjects(input, views, result.times);
@@ -85,11 +85,11 @@ FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given)
   return result;
 }
 
-std::vector<ObjectView> FramePipeline::ViewsOf(const FrameInput& input, const FrameResult& frame) const {
+std::vector<ObjectView> FramePipeline::MakeViews(const FrameInput& input, const FrameResult& frame) const {
   std::vector<ObjectView> views;
   for (const Detection& detection : input.detections) {
     views.push_back(
-        ViewOf(detection, frame.segments, frame.up_camera, camera_, ModelOf(detection), options_));
+        MakeView(detection, frame.segments, frame.up_camera, camera_, LookUpModel(detection), options_));
     views.back().floor = frame.floor;
   }
   MarkHiddenSides(views);
@@ -193,7 +193,7 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
   return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
 
-UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segment>& segments) {
+UpEstimate FramePipeline::EstimateUp(const FrameInput& input, const std::vector<Segment>& segments) {
   if (options_.up.source == "level")
     return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
   if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
@@ -205,7 +205,7 @@ UpEstimate FramePipeline::UpOf(const FrameInput& input, const std::vector<Segmen
     const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
     const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
     const auto vote =
-        VoteOf(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
+        MakeUpVote(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
     if (vote) votes.push_back(*vote);
   }
   return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
@@ -221,12 +221,12 @@ void FramePipeline::LearnUp(const FrameResult& result, const std::vector<SingleV
     const Eigen::Matrix3d covariance = estimations[i].measured.covariance.block<3, 3>(3, 3);
     const double off_deg = 2 * std::sqrt((across * covariance * across).trace()) / t.norm() / kDegree;
     const double sigma_deg = std::hypot(options_.up.viewpoint_sigma_deg, off_deg);
-    if (const auto vote = VoteOf(result.observations[i].detection, t, sigma_deg)) votes.push_back(*vote);
+    if (const auto vote = MakeUpVote(result.observations[i].detection, t, sigma_deg)) votes.push_back(*vote);
   }
   up_estimator_.ReviseVotes(votes);
 }
 
-const CategoryModel& FramePipeline::ModelOf(const Detection& detection) const {
+const CategoryModel& FramePipeline::LookUpModel(const Detection& detection) const {
   const auto found = std::find_if(categories_.begin(), categories_.end(), [&](const CategoryModel& model) {
     return model.spec.name == detection.category;
   });
@@ -239,7 +239,7 @@ std::vector<size_t> FramePipeline::LargestFirst(const std::vector<Detection>& de
   std::vector<size_t> order(detections.size());
   std::iota(order.begin(), order.end(), 0);
   const auto volume = [&](size_t i) {
-    return BoundingBoxSize(WireframeFromVector(ModelOf(detections[i]).mean)).prod();
+    return BoundingBoxSize(WireframeFromVector(LookUpModel(detections[i]).mean)).prod();
   };
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return volume(a) > volume(b); });
   return order;

@@ -62,11 +62,11 @@ class FramePipeline {
   std::optional<FinalMaps> SolveMaps() const;
 
  private:
-  UpEstimate UpOf(const FrameInput& input, const std::vector<Segment>& segments);
+  UpEstimate EstimateUp(const FrameInput& input, const std::vector<Segment>& segments);
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
   void MarkHiddenSides(std::vector<ObjectView>& views) const;
   void LearnUp(const FrameResult& result, const std::vector<SingleViewResult>& estimations);
-  std::vector<ObjectView> ViewsOf(const FrameInput& input, const FrameResult& frame) const;
+  std::vector<ObjectView> MakeViews(const FrameInput& input, const FrameResult& frame) const;
   // The track of each view, -1: none; gives the views what their tracks remember, if that is wanted.
   std::vector<int> Recall(const FrameInput& input, std::vector<ObjectView>& views) const;
   // Large furniture first: what is found hides what is behind it.
@@ -77,7 +77,7 @@ class FramePipeline {
                     const std::vector<SingleViewResult>& estimations, std::vector<int>& tracks);
   void AddToMap(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
                 const std::vector<SingleViewResult>& estimations, const std::vector<int>& tracks);
-  const CategoryModel& ModelOf(const Detection& detection) const;
+  const CategoryModel& LookUpModel(const Detection& detection) const;
   std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 
   Options options_;

@@ -15,7 +15,7 @@ namespace {
 double Diagonal(const Box& box) { return std::hypot(box.width, box.height); }
 
 // The gate shrinks geometrically from the search's to the final one.
-MatchGate GateOfRound(const ObjectView& view, const AssociationOptions& options, double progress) {
+MatchGate ShrinkGate(const ObjectView& view, const AssociationOptions& options, double progress) {
   const double coarse =
       std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
   const double ratio = options.final_gate_pixels / coarse;
@@ -70,7 +70,7 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
                          const std::vector<Hypothesis>& hypotheses, const AssociationOptions& options) {
   const Wireframe remembered =
       view.memory ? WireframeFromCoefficients(*view.model, view.memory->expected.coefficients) : Wireframe{};
-  const MatchGate gate = GateOfRound(view, options, 0);
+  const MatchGate gate = ShrinkGate(view, options, 0);
   ProjectedWireframe scratch;
   std::vector<Ranked> ranking;
   double best = 1e9;
@@ -137,7 +137,7 @@ void RefineOnce(const ObjectView& view, const AssociationOptions& options, const
   {
     const StageClock clock(times.association_ms);
     Project(view, candidate.estimate, sides, projected);
-    candidate.matches = Associate(view, projected, GateOfRound(view, options, progress), options);
+    candidate.matches = Associate(view, projected, ShrinkGate(view, options, progress), options);
   }
   const StageClock clock(times.optimization_ms);
   const ResectionResult result =
@@ -159,7 +159,7 @@ void Conclude(const ObjectView& view, const AssociationOptions& options, Candida
     candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }
-  Matching matching = MatchSegments(projected, view.segments, GateOfRound(view, options, 1));
+  Matching matching = MatchSegments(projected, view.segments, ShrinkGate(view, options, 1));
   candidate.matches = std::move(matching.matches);
   candidate.cost =
       PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +

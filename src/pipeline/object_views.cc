@@ -7,9 +7,9 @@
 
 namespace armature {
 
-ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                  const Eigen::Vector3d& up_camera, const Camera& camera, const CategoryModel& model,
-                  const Options& options) {
+ObjectView MakeView(const Detection& detection, const std::vector<Segment>& segments,
+                    const Eigen::Vector3d& up_camera, const Camera& camera, const CategoryModel& model,
+                    const Options& options) {
   ObjectView view;
   view.camera = &camera;
   view.model = &model;

@@ -11,8 +11,8 @@ namespace armature {
 
 // The detection with its box undistorted and the segments near it. The view keeps references to camera and
 // model.
-ObjectView ViewOf(const Detection& detection, const std::vector<Segment>& segments,
-                  const Eigen::Vector3d& up_camera, const Camera& camera, const CategoryModel& model,
-                  const Options& options);
+ObjectView MakeView(const Detection& detection, const std::vector<Segment>& segments,
+                    const Eigen::Vector3d& up_camera, const Camera& camera, const CategoryModel& model,
+                    const Options& options);
 
 }  // namespace armature

@@ -23,7 +23,7 @@ template <int kModes>
 void AddNormal(const ResectionProblem& problem, const ResectionState& state,
                NormalEquations<kModes>& equations) {
   if (problem.normal_term == NormalTerm::kNone) return;
-  const NormalRows rows = RowsOfNormal(problem, state);
+  const NormalRows rows = MakeNormalRows(problem, state);
   for (int i = 0; i < 3; ++i) equations.Add(rows.by_unknowns.row(i).transpose(), rows.residuals(i));
 }
 
@@ -44,7 +44,7 @@ template <int kModes>
 void AddMemory(const ResectionProblem& problem, const ResectionState& state,
                NormalEquations<kModes>& equations) {
   using Vector = typename NormalEquations<kModes>::Vector;
-  const ObjectMemory& memory = *problem.memory;
+  const TrackPrior& memory = *problem.memory;
   const Eigen::Index modes = problem.Modes();
   const auto difference = memory.Difference(state.R, state.T, state.lambda);
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + kMaxModes, 1> push = memory.information * difference;

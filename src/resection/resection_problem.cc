@@ -19,7 +19,7 @@ void FillPointRow(const ResectionState& state, const ShapePoint& point, const Po
 // r = L^T (z - z_expected), scaled as a whole.
 void FillMemoryRows(const ResectionProblem& problem, const ResectionState& state, int row, double* residuals,
                     Jacobian* J) {
-  const ObjectMemory& memory = *problem.memory;
+  const TrackPrior& memory = *problem.memory;
   const Eigen::VectorXd r = memory.sqrt_information * memory.Difference(state.R, state.T, state.lambda);
   const double a = GroupWeight(r.squaredNorm(), problem.memory_loss_scale);
   Eigen::Map<Eigen::VectorXd>(residuals + row, r.size()) = a * r;
@@ -77,7 +77,7 @@ bool ResectionProblem::operator()(const double* parameters, double* residuals, d
   };
   for (const PointOnLineTerm& term : line_terms) add(term.point, LineRow(term, *camera, state));
   for (const PointOnPlaneTerm& term : plane_terms) add(term.point, PlaneRow(term, state));
-  const NormalRows normal = RowsOfNormal(*this, state);
+  const NormalRows normal = MakeNormalRows(*this, state);
   Eigen::Map<Eigen::Vector3d>(residuals + row) = normal.residuals;
   if (jacobian) J.middleRows<3>(row) = normal.by_unknowns;
   row += 3;

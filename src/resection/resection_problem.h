@@ -86,7 +86,7 @@ struct ResectionProblem {
   double shape_weight = 1;              // of each coefficient in standard deviations
   // What earlier frames say, instead of the shape's regulariser; none: null. Its 4 + B whitened residuals
   // share one robust loss: the memory is right or wrong as a whole.
-  const ObjectMemory* memory = nullptr;
+  const TrackPrior* memory = nullptr;
   double memory_loss_scale = 5;  // standard deviations
   // Which unknowns may move; the paper alternates between pose and shape.
   bool pose_is_free = true;

@@ -97,7 +97,7 @@ PointRow PlaneRow(const PointOnPlaneTerm& term, const ResectionState& state) {
   return row;
 }
 
-NormalRows RowsOfNormal(const ResectionProblem& problem, const ResectionState& state) {
+NormalRows MakeNormalRows(const ResectionProblem& problem, const ResectionState& state) {
   NormalRows rows;
   rows.by_unknowns.setZero(3, problem.NumParameters());
   if (problem.normal_term == NormalTerm::kAxis) AddAxis(state, problem.up_camera, problem.up_weight, rows);
@@ -106,7 +106,7 @@ NormalRows RowsOfNormal(const ResectionProblem& problem, const ResectionState& s
   return rows;
 }
 
-Eigen::Vector3d YawByRotation(const ObjectMemory& memory, const ResectionState& state) {
+Eigen::Vector3d YawByRotation(const TrackPrior& memory, const ResectionState& state) {
   // d(R e_z) = -[R e_z]x dw, and g^T (-[v]x) = (v x g)^T
   return state.R.col(2).cross(memory.AheadOfFront());
 }

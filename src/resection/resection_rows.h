@@ -41,10 +41,10 @@ struct NormalRows {
   Eigen::Vector3d residuals{0, 0, 0};
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 6 + kMaxModes> by_unknowns;  // 3 x (6+B)
 };
-NormalRows RowsOfNormal(const ResectionProblem& problem, const ResectionState& state);
+NormalRows MakeNormalRows(const ResectionProblem& problem, const ResectionState& state);
 
 // The direction dw in which the memory's yaw (number 3 of its z) grows: its derivative by dw.
-Eigen::Vector3d YawByRotation(const ObjectMemory& memory, const ResectionState& state);
+Eigen::Vector3d YawByRotation(const TrackPrior& memory, const ResectionState& state);
 
 // The factor a = 1 / sqrt(1 + squared / c^2) that makes a group of residuals robust as a whole.
 double GroupWeight(double squared, double loss_scale);

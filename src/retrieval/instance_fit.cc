@@ -9,7 +9,7 @@
 namespace armature {
 namespace {
 
-MapGraph GraphOf(const ObjectSightings& sightings, const CategoryModel& model) {
+MapGraph MakeGraph(const ObjectSightings& sightings, const CategoryModel& model) {
   MapGraph graph;
   graph.T_world_camera = sightings.T_world_camera;
   graph.cameras_are_held = true;
@@ -39,7 +39,7 @@ double ViewCost(const ObjectView& view, const PoseAndShape& at, const Wireframe&
 
 }  // namespace
 
-CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wireframe, double size_sigma) {
+CategoryModel MakeInstanceModel(const CategorySpec& spec, const Wireframe& wireframe, double size_sigma) {
   CategoryModel model;
   model.spec = spec;
   model.mean = ShapeVector(wireframe);
@@ -51,10 +51,10 @@ CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wirefra
 InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& spec,
                         const Wireframe& wireframe, double size_sigma, const InstanceFitOptions& options) {
   const double sigma = std::hypot(size_sigma, options.size_sigma);
-  const CategoryModel model = ModelOfInstance(spec, wireframe, sigma);
+  const CategoryModel model = MakeInstanceModel(spec, wireframe, sigma);
   const std::vector<MapFrame> frames = FramesWith(model, sightings.frames);
   const ObjectOfObservation phi(frames.size(), {0});
-  MapGraph graph = GraphOf(sightings, model);
+  MapGraph graph = MakeGraph(sightings, model);
   MapSolverOptions solver = options.solver;
   solver.max_iterations = options.refinement.iterations;
   solver.shape_weight = 1;  // the sigma of the only mode, its size, is as it is given

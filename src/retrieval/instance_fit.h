@@ -40,7 +40,7 @@ struct InstanceFit {
 };
 
 // A CAD model as a category model with one mode: its size.
-CategoryModel ModelOfInstance(const CategorySpec& spec, const Wireframe& wireframe, double size_sigma);
+CategoryModel MakeInstanceModel(const CategorySpec& spec, const Wireframe& wireframe, double size_sigma);
 
 // Fits the model's edges (object frame, centred, metres; `size_sigma`: of the logarithm of their size,
 // besides the map's) to all frames' lines and boxes from where the map has the object, as the map's joint

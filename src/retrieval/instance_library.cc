@@ -16,7 +16,7 @@ struct ToMetres {
   Eigen::Vector3d centre{0, 0, 0};  // unit of the annotations
 };
 
-std::optional<ToMetres> MetresOf(const CategorySpec& spec, const CadModel& cad) {
+std::optional<ToMetres> FindMetres(const CategorySpec& spec, const CadModel& cad) {
   ToMetres to{1, BoundingBoxCenter(cad.wireframe)};
   if (cad.metric) return to;
   const double measure = Measure(spec.reference, cad.wireframe);
@@ -60,11 +60,11 @@ int CategoryInstances::Find(const std::string& id) const {
   return found == ids.end() ? -1 : static_cast<int>(found - ids.begin());
 }
 
-Wireframe CategoryInstances::WireframeOf(int instance) const {
+Wireframe CategoryInstances::MakeWireframe(int instance) const {
   return WireframeFromVector(edges.col(instance).cast<double>());
 }
 
-Eigen::Affine3d CategoryInstances::TransformOf(int instance) const {
+Eigen::Affine3d CategoryInstances::MakeTransform(int instance) const {
   Eigen::Affine3d T = Eigen::Affine3d::Identity();
   T.affine() = T_object_geometry.col(instance).cast<double>().reshaped(3, 4);
   return T;
@@ -87,7 +87,7 @@ InstanceLibrary BuildLibrary(const std::vector<CategoryModel>& models, const std
     Resize(model.modes(), model.spec.edges(), count, instances);
     for (const CadModel& c : cad) {
       if (c.category != model.spec.name) continue;
-      if (const auto to = MetresOf(model.spec, c)) Store(model, c, *to, instances.size(), instances);
+      if (const auto to = FindMetres(model.spec, c)) Store(model, c, *to, instances.size(), instances);
     }
     Resize(model.modes(), model.spec.edges(), instances.size(), instances);
     if (instances.size() > 0) library.categories.push_back(std::move(instances));

@@ -36,8 +36,8 @@ struct CategoryInstances {
   int size() const { return static_cast<int>(ids.size()); }
   // -1: there is none of this id.
   int Find(const std::string& id) const;
-  Wireframe WireframeOf(int instance) const;
-  Eigen::Affine3d TransformOf(int instance) const;  // T_object_geometry
+  Wireframe MakeWireframe(int instance) const;
+  Eigen::Affine3d MakeTransform(int instance) const;  // T_object_geometry
 };
 
 struct InstanceLibrary {

@@ -17,7 +17,7 @@ namespace armature {
 
 // Squared, in single precision, so that FLANN, which goes on only below it and adds up with rounding, still
 // offers whatever is that far in double precision.
-inline float BoundOf(double distance) {
+inline float RoundUp(double distance) {
   constexpr double kRounding = 1e-5;
   const double bound = distance * distance * (1 + kRounding) + std::numeric_limits<float>::min();
   return static_cast<float>(std::min<double>(bound, std::numeric_limits<float>::max()));
@@ -59,7 +59,7 @@ class NearestSet : public NeighbourSet {
     if (full() && !IsNearer(neighbour, found_.back())) return;
     found_.insert(std::upper_bound(found_.begin(), found_.end(), neighbour, IsNearer), neighbour);
     if (found_.size() > k_) found_.pop_back();
-    if (full()) bound_ = BoundOf(found_.back().distance);
+    if (full()) bound_ = RoundUp(found_.back().distance);
   }
 
  private:
@@ -74,7 +74,7 @@ class WithinSet : public NeighbourSet {
       : NeighbourSet(features, query), radius_(radius) {}
 
   bool full() const override { return true; }
-  float worstDist() const override { return BoundOf(radius_); }
+  float worstDist() const override { return RoundUp(radius_); }
 
   void addPoint(float /*squared_distance*/, size_t instance) override {
     const Neighbour neighbour = At(instance);

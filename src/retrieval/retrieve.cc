@@ -18,14 +18,14 @@ InstanceRetrieval::InstanceRetrieval(const CategoryModel& model, const CategoryI
 std::vector<Neighbour> InstanceRetrieval::Nearest(const ShapeQuery& query, int k) const {
   if (options_.covariance && query.evidence)
     return Likeliest(instances_, *query.evidence, options_.evidence_sigma, options_.features.modes, k);
-  return index_.Nearest(FeaturesOf(query, model_.standard_deviations, options_.features), k);
+  return index_.Nearest(ComputeFeatures(query, model_.standard_deviations, options_.features), k);
 }
 
 void InstanceRetrieval::Rerank(const ObjectSightings& sightings,
                                std::vector<RetrievedInstance>& retrieved) const {
   std::vector<std::pair<double, size_t>> order;
   for (size_t i = 0; i < retrieved.size(); ++i) {
-    const Wireframe wireframe = instances_.WireframeOf(retrieved[i].instance);
+    const Wireframe wireframe = instances_.MakeWireframe(retrieved[i].instance);
     retrieved[i].fit = FitInstance(sightings, model_.spec, wireframe,
                                    instances_.size_sigmas(retrieved[i].instance), options_.fit);
     order.emplace_back(retrieved[i].fit->cost, i);

@@ -26,7 +26,7 @@ constexpr double kLeastInformation = 1e-3;
 
 // In the eigenvectors of the information each direction is on its own: the variance 1/l gets sigma^2 more. A
 // direction with next to no information has no mean either.
-Metric MetricOf(const ShapeEvidence& evidence, double sigma, Eigen::Index modes) {
+Metric MakeMetric(const ShapeEvidence& evidence, double sigma, Eigen::Index modes) {
   const Eigen::Index all = evidence.information.rows(), rest = all - modes;
   Eigen::MatrixXd information = evidence.information.topLeftCorner(modes, modes);
   Eigen::VectorXd vector = evidence.vector.head(modes);
@@ -60,8 +60,8 @@ Eigen::MatrixXf Features(const CategoryInstances& instances, const Eigen::Vector
   return features;
 }
 
-Eigen::VectorXf FeaturesOf(const ShapeQuery& query, const Eigen::VectorXd& standard_deviations,
-                           const FeatureOptions& options) {
+Eigen::VectorXf ComputeFeatures(const ShapeQuery& query, const Eigen::VectorXd& standard_deviations,
+                                const FeatureOptions& options) {
   CategoryInstances alone;
   alone.coefficients = query.coefficients.cast<float>();
   alone.sizes = query.size.cast<float>();
@@ -71,7 +71,7 @@ Eigen::VectorXf FeaturesOf(const ShapeQuery& query, const Eigen::VectorXd& stand
 std::vector<Neighbour> Likeliest(const CategoryInstances& instances, const ShapeEvidence& evidence,
                                  double sigma, int modes, int k) {
   const Eigen::Index kept = Kept(instances.coefficients.rows(), {.modes = modes});
-  const Metric metric = MetricOf(evidence, sigma, kept);
+  const Metric metric = MakeMetric(evidence, sigma, kept);
   std::vector<Neighbour> neighbours;
   neighbours.reserve(static_cast<size_t>(instances.size()));
   for (Eigen::Index start = 0; start < instances.size(); start += kBlock) {

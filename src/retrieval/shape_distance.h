@@ -33,8 +33,8 @@ struct FeatureOptions {
 // A column an instance.
 Eigen::MatrixXf Features(const CategoryInstances& instances, const Eigen::VectorXd& standard_deviations,
                          const FeatureOptions& options);
-Eigen::VectorXf FeaturesOf(const ShapeQuery& query, const Eigen::VectorXd& standard_deviations,
-                           const FeatureOptions& options);
+Eigen::VectorXf ComputeFeatures(const ShapeQuery& query, const Eigen::VectorXd& standard_deviations,
+                                const FeatureOptions& options);
 
 // The k instances that the evidence holds for the likeliest, likeliest first, equally likely ones by rising
 // instance: distance^2 = (x - m)^T C^-1 (x - m) with the evidence's mean m and C its covariance plus sigma^2

@@ -57,7 +57,7 @@ ObjectSightings LookAt(const Map& map, size_t object, const std::vector<Sighting
   return seen;
 }
 
-Eigen::Vector3d UpOf(const Map& map) {
+Eigen::Vector3d EstimateUp(const Map& map) {
   Eigen::Vector3d sum(0, 0, 0);
   for (const MapObject& object : map.objects) sum += object.T_world_object.linear().col(1);
   if (sum.norm() == 0) return {0, -1, 0};

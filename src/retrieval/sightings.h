@@ -26,6 +26,6 @@ ObjectSightings LookAt(const Map& map, size_t object, const std::vector<Sighting
                        const ViewsOfCameras& views, const Eigen::Vector3d& up_world);
 
 // The mean of the objects' y axes, unit: what the map holds to be up; without objects that of a level camera.
-Eigen::Vector3d UpOf(const Map& map);
+Eigen::Vector3d EstimateUp(const Map& map);
 
 }  // namespace armature

@@ -37,7 +37,9 @@ struct HorizontalAxes {
     zero.normalize();
     quarter = up.cross(zero);
   }
-  double YawOf(const Eigen::Vector3d& front) const { return std::atan2(front.dot(quarter), front.dot(zero)); }
+  double ComputeYaw(const Eigen::Vector3d& front) const {
+    return std::atan2(front.dot(quarter), front.dot(zero));
+  }
   Eigen::Matrix3d Rotation(double yaw, const Eigen::Vector3d& up) const {
     const Eigen::Vector3d front = std::cos(yaw) * zero + std::sin(yaw) * quarter;
     Eigen::Matrix3d R;
@@ -97,14 +99,14 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
   return result;
 }
 
-std::optional<ObjectMemory> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera,
-                                                 const Eigen::Vector3d& up_camera) const {
+std::optional<TrackPrior> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera,
+                                               const Eigen::Vector3d& up_camera) const {
   if (index < 0) return std::nullopt;
   const Track& track = tracks_[static_cast<size_t>(index)];
   if (track.observations < options_.min_observations) return std::nullopt;
   const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
   const Eigen::Vector3d up_odom = T_odom_camera.linear() * up_camera;
-  ObjectMemory memory;
+  TrackPrior memory;
   memory.expected = Expected(track, T_odom_camera, up_odom);
   if (memory.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
   // Never too sure of it: floors keep a wrong memory correctable.
@@ -173,7 +175,7 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
   covariance = InUnit(covariance, units_);
 
   // [I, -R t] (z, u) = y
-  const double yaw = HorizontalAxes(track.up_odom).YawOf(R * T.linear().col(2));
+  const double yaw = HorizontalAxes(track.up_odom).ComputeYaw(R * T.linear().col(2));
   const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
   Eigen::VectorXd y(n);
   y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw),
@@ -225,7 +227,7 @@ void ObjectTracks::Vote(Track& track, const ObjectView& view, const SingleViewRe
   const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
   const Eigen::Matrix3d R = T_odom_camera.linear() * T.linear() *
                             Eigen::AngleAxisd(azimuth - *view.detection.azimuth, Eigen::Vector3d::UnitY());
-  const double voted = HorizontalAxes(track.up_odom).YawOf(R.col(2));
+  const double voted = HorizontalAxes(track.up_odom).ComputeYaw(R.col(2));
   double least = 1e9;
   for (int bin = 0; bin < YawBelief::kBins; ++bin) {
     const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;

@@ -56,8 +56,8 @@ class ObjectTracks {
   std::vector<int> Associate(double timestamp, const std::vector<ObjectView>& views,
                              const Eigen::Isometry3d& T_odom_camera) const;
 
-  std::optional<ObjectMemory> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
-                                     const Eigen::Vector3d& up_camera) const;
+  std::optional<TrackPrior> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
+                                   const Eigen::Vector3d& up_camera) const;
 
   // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no
   // other track has or had.

@@ -21,7 +21,7 @@ Eigen::Matrix3d DirectionInformation(const Eigen::Vector3d& direction, double si
 
 }  // namespace
 
-std::optional<UpVote> VoteOf(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg) {
+std::optional<UpVote> MakeUpVote(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg) {
   if (!detection.elevation || !detection.tilt) return std::nullopt;
   const Viewpoint viewpoint{0, *detection.elevation, *detection.tilt};
   return UpVote{RotationFromViewpoint(viewpoint, ray).col(1), sigma_deg * kDegree};

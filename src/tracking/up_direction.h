@@ -36,7 +36,7 @@ struct UpVote {
 };
 
 // The vote of a detection whose object lies along the ray (camera frame), if it has elevation and tilt.
-std::optional<UpVote> VoteOf(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg);
+std::optional<UpVote> MakeUpVote(const Detection& detection, const Eigen::Vector3d& ray, double sigma_deg);
 
 // Three kinds of evidence, each seldom wrong where another is: the detections' elevations and tilts say where
 // up is to a few degrees each, the vertical segments say it precisely once it is roughly known (their planes

@@ -14,7 +14,7 @@ CadLibrary::CadLibrary(const std::filesystem::path& folder, const std::vector<Ca
   }
 }
 
-std::optional<Wireframe> CadLibrary::EdgesOf(const TrueObject& object) const {
+std::optional<Wireframe> CadLibrary::FindEdges(const TrueObject& object) const {
   const auto found = models_.find(object.instance);
   if (found == models_.end()) return std::nullopt;
   return FittedToSize(found->second, object.size);

@@ -24,7 +24,7 @@ class CadLibrary {
   // The object's own edges in its frame, metres: scaled along each axis so that the CAD model's bounding box
   // gets the object's size, and moved so that the box's centre is the origin. None where the instance is not
   // in the library.
-  std::optional<Wireframe> EdgesOf(const TrueObject& object) const;
+  std::optional<Wireframe> FindEdges(const TrueObject& object) const;
 
  private:
   std::map<std::string, CadModel> models_;  // by instance

@@ -69,7 +69,7 @@ GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   return truth;
 }
 
-const TrueObject* GroundTruth::ObjectOf(double timestamp, int index) const {
+const TrueObject* GroundTruth::FindObject(double timestamp, int index) const {
   const long long at = Microseconds(timestamp);
   const long long tolerance = Microseconds(kStampTolerance);
   for (auto it = detections.lower_bound({at - tolerance, 0});
@@ -80,8 +80,8 @@ const TrueObject* GroundTruth::ObjectOf(double timestamp, int index) const {
 }
 
 std::optional<Eigen::Isometry3d> GroundTruth::TrueCameraObject(double timestamp, int index) const {
-  const TrueObject* object = ObjectOf(timestamp, index);
-  const std::optional<size_t> camera = IndexOfStamp(T_world_camera, timestamp);
+  const TrueObject* object = FindObject(timestamp, index);
+  const std::optional<size_t> camera = FindStamp(T_world_camera, timestamp);
   if (!object || !camera) return std::nullopt;
   return T_world_camera[*camera].pose.inverse() * object->T_world_object;
 }

@@ -33,7 +33,7 @@ struct GroundTruth {
 
   // The true T_camera_object of a detection, none when it is of no true object (a false alarm).
   std::optional<Eigen::Isometry3d> TrueCameraObject(double timestamp, int index) const;
-  const TrueObject* ObjectOf(double timestamp, int index) const;
+  const TrueObject* FindObject(double timestamp, int index) const;
 };
 
 // groundtruth.txt of a sequence folder, in any format that io/trajectory_formats.h reads (KITTI: a line an

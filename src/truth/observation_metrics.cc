@@ -12,7 +12,7 @@
 namespace armature {
 namespace {
 
-double AzimuthOf(const Eigen::Isometry3d& T_camera_object) {
+double ComputeAzimuth(const Eigen::Isometry3d& T_camera_object) {
   return ViewpointFromRotation(T_camera_object.linear(), T_camera_object.translation()).azimuth;
 }
 
@@ -30,8 +30,8 @@ ObservationError CompareObservation(const std::string& category, int symmetry_or
   ObservationError error;
   error.category = category;
   error.ok = ok;
-  error.azimuth_deg = std::abs(AzimuthDifference(AzimuthOf(T_camera_object), AzimuthOf(T_camera_object_true),
-                                                 symmetry_order)) /
+  error.azimuth_deg = std::abs(AzimuthDifference(ComputeAzimuth(T_camera_object),
+                                                 ComputeAzimuth(T_camera_object_true), symmetry_order)) /
                       kDegree;
   error.translation_percent = 100 *
                               (T_camera_object.translation() - T_camera_object_true.translation()).norm() /

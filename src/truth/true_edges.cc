@@ -16,7 +16,7 @@ namespace {
 
 double TrueStamp(const CsvRow& row, const GroundTruth& truth) {
   const double timestamp = row.Number("timestamp");
-  if (IndexOfStamp(truth.T_world_camera, timestamp)) return timestamp;
+  if (FindStamp(truth.T_world_camera, timestamp)) return timestamp;
   throw InputError(row.At(fmt::format(
       "no pose of groundtruth.txt is at {}; both files have to be of one sequence", row.Text("timestamp"))));
 }
@@ -47,7 +47,7 @@ double VisibleShare(const CsvRow& row) {
 TrueEdges::TrueEdges(const std::filesystem::path& file, const GroundTruth& truth,
                      const std::vector<CategorySpec>& specs) {
   std::vector<CategorySpec> spec_of;
-  for (const TrueObject& object : truth.objects) spec_of.push_back(SpecOf(specs, object.category));
+  for (const TrueObject& object : truth.objects) spec_of.push_back(FindSpec(specs, object.category));
   for (const CategorySpec& spec : spec_of) edge_counts_.push_back(spec.edge_names.size());
 
   const CsvTable table(file, {"timestamp", "id", "edge", "x1", "y1", "x2", "y2", "visible"});

@@ -15,8 +15,8 @@ TrueScene::TrueScene(const SequenceTruth& sequence, const std::vector<CategoryMo
                      const CadLibrary& cad)
     : sequence_(sequence) {
   for (const TrueObject& object : sequence.truth.objects) {
-    const CategoryModel& model = ModelOf(models, object.category);
-    objects_.push_back({model.spec, WireframeFromVector(model.mean), cad.EdgesOf(object)});
+    const CategoryModel& model = LookUpModel(models, object.category);
+    objects_.push_back({model.spec, WireframeFromVector(model.mean), cad.FindEdges(object)});
   }
 }
 

@@ -24,7 +24,7 @@ std::vector<double> PixelsAlong(double length) {
   return shares;
 }
 
-Eigen::Vector2d PointOf(const Segment& line, double share) { return line.p1 + share * (line.p2 - line.p1); }
+Eigen::Vector2d MakePoint(const Segment& line, double share) { return line.p1 + share * (line.p2 - line.p1); }
 
 VisibleEdge Sampled(const Camera& camera, const ProjectedEdge& edge,
                     const std::vector<const ImageFace*>& hiding) {
@@ -34,7 +34,7 @@ VisibleEdge Sampled(const Camera& camera, const ProjectedEdge& edge,
   visible.in_image = true;
   visible.pixels_per_metre = camera.fx * (edge.inverse_z1 + edge.inverse_z2) / 2;
   for (const double t : PixelsAlong(edge.length)) {
-    const Eigen::Vector2d pixel = PointOf(edge.line, t);
+    const Eigen::Vector2d pixel = MakePoint(edge.line, t);
     const double inverse_z = edge.inverse_z1 + t * (edge.inverse_z2 - edge.inverse_z1);
     const bool hidden = std::any_of(hiding.begin(), hiding.end(),
                                     [&](const ImageFace* face) { return face->Hides(pixel, inverse_z); });
@@ -83,7 +83,7 @@ VisibleEdge EdgeSeenInPart(const Segment& line, double visible_share, double pix
   edge.visible_share = visible_share;
   edge.pixels_per_metre = pixels_per_metre;
   if (!edge.in_image) return edge;
-  for (const double t : PixelsAlong(line.length())) edge.samples.push_back(PointOf(line, t));
+  for (const double t : PixelsAlong(line.length())) edge.samples.push_back(MakePoint(line, t));
   return edge;
 }
 

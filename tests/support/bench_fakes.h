@@ -46,8 +46,8 @@ class CountingEngine : public Engine {
 };
 
 // A row with detection, association and optimization; the total is their sum and 1 ms more.
-inline BenchRow RowOf(const std::string& contender, size_t input, double detection, double association,
-                      double optimization) {
+inline BenchRow MakeRow(const std::string& contender, size_t input, double detection, double association,
+                        double optimization) {
   BenchRow row{.contender = contender, .input = input, .outcome = {}};
   row.outcome.stage(BenchStage::kDetection) = detection;
   row.outcome.stage(BenchStage::kAssociation) = association;

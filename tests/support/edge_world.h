@@ -48,7 +48,7 @@ class EdgeWorld {
     folder.Write("sequence/edges_gt.csv", kTrueEdgesHeader + rows);
   }
 
-  SequenceTruth Truth() const { return LoadSequenceTruth(folder / "sequence", SpecsOf(models)); }
+  SequenceTruth Truth() const { return LoadSequenceTruth(folder / "sequence", CollectSpecs(models)); }
 
   // A run with both objects at their true poses, the table's turned by half a turn if asked. `matches`: rows
   // of associations.csv without cost. `more`: further rows of observations.csv.

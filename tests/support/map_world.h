@@ -161,7 +161,7 @@ class MapWorld {
     ProjectedWireframe projected;
     ProjectWireframe(camera, model.spec, WireframeFromCoefficients(model, truth.coefficients),
                      truth.T_camera_object, Image(), OccludersOf(camera_index, object), projected);
-    ObjectView view = ViewOf(model, projected, truth.T_camera_object.linear(), UpAt(camera_index));
+    ObjectView view = MakeView(model, projected, truth.T_camera_object.linear(), UpAt(camera_index));
     std::normal_distribution<double> normal;
     std::vector<EdgeMatch> matches;
     for (int edge = 0; edge < model.spec.edges(); ++edge) {
@@ -202,8 +202,8 @@ class MapWorld {
   }
 
   // With the box around the projection, without segments.
-  ObjectView ViewOf(const CategoryModel& model, const ProjectedWireframe& projected,
-                    const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& up_camera) const {
+  ObjectView MakeView(const CategoryModel& model, const ProjectedWireframe& projected,
+                      const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& up_camera) const {
     ObjectView view;
     view.camera = &camera;
     view.model = &model;

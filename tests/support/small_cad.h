@@ -12,7 +12,7 @@
 namespace armature::testing {
 
 // All edges of the category, the i-th from (x, 0, 0) to (x, 1, 0) with x = i + shift.
-inline std::string EdgesOf(const std::string& model, const CategorySpec& spec, double shift) {
+inline std::string FindEdges(const std::string& model, const CategorySpec& spec, double shift) {
   std::string rows;
   for (int i = 0; i < spec.edges(); ++i) {
     const double x = i + shift;
@@ -30,8 +30,8 @@ inline void WriteSmallCad(const TempFolder& folder, const CategorySpec& table) {
   const std::string header = "model,edge,x1,y1,z1,x2,y2,z2\n";
   WriteInstances(folder,
                  "table-0001,table,0,1.2,0.7,0.6,mesh/a.ply\ntable-0010,table,1,2,0.7,0.6,mesh/b.ply\n");
-  folder.Write("table_edges.csv", header + EdgesOf("table-0001", table, 0));
-  folder.Write("table_edges_held_out.csv", header + EdgesOf("table-0010", table, 0.5));
+  folder.Write("table_edges.csv", header + FindEdges("table-0001", table, 0));
+  folder.Write("table_edges_held_out.csv", header + FindEdges("table-0010", table, 0.5));
 }
 
 }  // namespace armature::testing

@@ -29,7 +29,7 @@ inline std::string PoseText(const Eigen::Isometry3d& pose, const std::string& se
                      q.w());
 }
 
-inline std::vector<CategorySpec> ShippedSpecs() { return SpecsOf(LoadCategories(CategoryFolder())); }
+inline std::vector<CategorySpec> ShippedSpecs() { return CollectSpecs(LoadCategories(CategoryFolder())); }
 
 // An object seen from azimuth and elevation at the place, by a camera that is the world's frame.
 inline Eigen::Isometry3d SeenFrom(double azimuth_deg, double elevation_deg, const Eigen::Vector3d& place) {
@@ -47,7 +47,7 @@ class TrueWorld {
     WriteSequence();
     WriteCad();
     models = LoadCategories(CategoryFolder());
-    specs = SpecsOf(models);
+    specs = CollectSpecs(models);
     cad = CadLibrary(folder / "cad", specs);
     sequence = LoadSequenceTruth(folder / "sequence", specs);
   }
@@ -70,7 +70,7 @@ class TrueWorld {
       const Eigen::Isometry3d pose =
           change(spec.name, *sequence.truth.TrueCameraObject(timestamp, key.second));
       observations += fmt::format("{:.6f},{},ok,,1,5,{},\n", timestamp, key.second, PoseText(pose, ","));
-      const auto camera = IndexOfStamp(sequence.truth.T_world_camera, timestamp);
+      const auto camera = FindStamp(sequence.truth.T_world_camera, timestamp);
       const auto edges = scene.EdgesSeen(object, sequence.truth.T_world_camera[*camera]);
       for (size_t e = 0; e < edges->size(); ++e) {
         if ((*edges)[e].visible_length() < kLeastVisiblePixels) continue;

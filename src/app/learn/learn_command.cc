@@ -79,8 +79,8 @@ TrainingModels Others(const TrainingSpec& spec, const LearnArguments& arguments,
 
 ComparisonReport Compared(const TrainingSpec& spec, const CategoryModel& model,
                           const std::vector<Wireframe>& own, const TrainingModels& others) {
-  return {StatisticsOf(model, spec, own), StatisticsOf(model, spec, others.wireframes), others.source,
-          others.read};
+  return {ComputeStatistics(model, spec, own), ComputeStatistics(model, spec, others.wireframes),
+          others.source, others.read};
 }
 
 void AddInput(CLI::App& learn, LearnArguments& a) {
@@ -187,7 +187,7 @@ int RunLearn(const LearnArguments& arguments, const SampleFamilyFunction& sample
   if (!arguments.library.empty()) {
     // Of the model as others will read it: written numbers have nine digits.
     const std::filesystem::path folder = std::filesystem::absolute(arguments.annotations.file).parent_path();
-    WriteLibrary(LibraryOfFolder(folder, {LoadCategory(arguments.out)}), arguments.library);
+    WriteLibrary(BuildFolderLibrary(folder, {LoadCategory(arguments.out)}), arguments.library);
     report.library = arguments.library.string();
   }
   fmt::print("{}", arguments.json ? ReportJson(report) : ReportText(report));

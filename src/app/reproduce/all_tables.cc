@@ -6,7 +6,7 @@
 #include "app/reproduce/matrix_tables.h"
 #include "base/text.h"
 #include "cli/printed_tables.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -24,7 +24,7 @@ std::vector<fs::path> FoldersWithTables(const fs::path& folder, const std::vecto
   return folders;
 }
 
-Json TablesOf(const fs::path& folder) {
+Json MakeTables(const fs::path& folder) {
   const fs::path eval = folder / "eval.json";
   return Json::parse(ReadTextFile(fs::exists(eval) ? eval : folder / "bench.json")).at("tables");
 }
@@ -42,13 +42,13 @@ void WriteAllTables(const fs::path& folder, const std::vector<Table>& tables,
                                      {TableFormat::kLatex, "tables.tex"}}) {
     std::string text = FormatTables(own, format);
     for (const fs::path& other : others) text += "\n" + ReadTextFile(other / name);
-    WriteWholeFile(folder / name, text);
+    AtomicWrite(folder / name, text);
   }
   Json json = Json::parse(FormatTables(own, TableFormat::kJson));
   for (const fs::path& other : others) {
-    for (const Json& table : TablesOf(other)) json.push_back(table);
+    for (const Json& table : MakeTables(other)) json.push_back(table);
   }
-  WriteWholeFile(folder / "tables.json", json.dump(2) + "\n");
+  AtomicWrite(folder / "tables.json", json.dump(2) + "\n");
 }
 
 }  // namespace armature

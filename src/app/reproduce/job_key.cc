@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string HexOf(const std::string& bytes) {
+std::string FormatHex(const std::string& bytes) {
   return fmt::format("{:016x}", Checksum(std::as_bytes(std::span(bytes))));
 }
 
@@ -30,28 +30,28 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
   return files;
 }
 
-std::string ContentOf(const fs::path& path) {
-  if (!fs::is_directory(path)) return HexOf(ReadTextFile(path));
+std::string ReadContent(const fs::path& path) {
+  if (!fs::is_directory(path)) return FormatHex(ReadTextFile(path));
   std::string listing;
   for (const fs::path& file : FilesBelow(path))
-    listing += fmt::format("{} {}\n", file.lexically_relative(path).string(), HexOf(ReadTextFile(file)));
-  return HexOf(listing);
+    listing += fmt::format("{} {}\n", file.lexically_relative(path).string(), FormatHex(ReadTextFile(file)));
+  return FormatHex(listing);
 }
 
 }  // namespace
 
 std::string ContentHashes::Of(const fs::path& path) {
   const auto [known, is_new] = known_.try_emplace(path);
-  if (is_new) known->second = ContentOf(path);
+  if (is_new) known->second = ReadContent(path);
   return known->second;
 }
 
-std::string KeyOf(const Job& job, const fs::path& folder, const fs::path& program, ContentHashes& hashes) {
+std::string MakeKey(const Job& job, const fs::path& folder, const fs::path& program, ContentHashes& hashes) {
   std::string text = hashes.Of(program) + "\n";
   for (const auto& command : job.commands) text += fmt::format("{}\n", fmt::join(command, "\n"));
   for (const fs::path& input : job.inputs)
     text += fmt::format("{} {}\n", input.string(), hashes.Of(folder / input));
-  return HexOf(text);
+  return FormatHex(text);
 }
 
 }  // namespace armature

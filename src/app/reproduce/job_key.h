@@ -22,7 +22,7 @@ class ContentHashes {
 
 // The same for the same program (the bytes of its file, so that also a build from uncommitted changes
 // differs), commands and contents of inputs; `folder`: where relative inputs are. Throws InputError as above.
-std::string KeyOf(const Job& job, const std::filesystem::path& folder, const std::filesystem::path& program,
-                  ContentHashes& hashes);
+std::string MakeKey(const Job& job, const std::filesystem::path& folder, const std::filesystem::path& program,
+                    ContentHashes& hashes);
 
 }  // namespace armature

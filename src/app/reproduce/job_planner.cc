@@ -25,7 +25,7 @@ void AddFrames(int frames, std::vector<std::string>& call) {
 Job JobPlanner::Data(int draw) const {
   Job job{.name = DataJob(draw), .alone = true, .always = true};
   std::vector<std::string> call{"generate", "--only", fmt::format("{}", fmt::join(matrix_.scenes, ",")),
-                                "--out", Here(DataOfDraw(matrix_, draw))};
+                                "--out", Here(LocateDraw(matrix_, draw))};
   if (draw != 1) call.insert(call.end(), {"--draw", std::to_string(draw), "--without-cad"});
   AddFrames(matrix_.frames, call);
   job.commands = {call};
@@ -35,7 +35,7 @@ Job JobPlanner::Data(int draw) const {
 // How the edges of our CAD models lie is the category's padding: datasets/README.md.
 Job JobPlanner::Category(const LearntCategory& category) const {
   const fs::path spec = folders_.configs / "categories/specs" / (category.name + ".yaml");
-  const fs::path edges = DataOfDraw(matrix_, 1) / "cad" / (category.name + "_edges.csv");
+  const fs::path edges = LocateDraw(matrix_, 1) / "cad" / (category.name + "_edges.csv");
   const std::string out = "categories/" + category.name + ".yaml";
   const auto& [x, y, z] = category.padding;
   std::vector<std::string> call{
@@ -51,7 +51,7 @@ Job JobPlanner::Category(const LearntCategory& category) const {
 }
 
 Job JobPlanner::Library() const {
-  const std::string cad = Here(matrix_.cad.empty() ? DataOfDraw(matrix_, 1) / "cad" : matrix_.cad);
+  const std::string cad = Here(matrix_.cad.empty() ? LocateDraw(matrix_, 1) / "cad" : matrix_.cad);
   Job job{.name = "library", .outputs = {kLibraryFile}, .inputs = {cad}};
   job.commands = {Call({"retrieve", "--build", "--cad", cad, "--out", kLibraryFile})};
   NeedCategories(job);

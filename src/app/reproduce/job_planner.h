@@ -22,7 +22,7 @@ struct PlanFolders {
 class JobPlanner {
  public:
   JobPlanner(const Matrix& matrix, const PlanFolders& folders)
-      : matrix_(matrix), folders_(folders), sequences_(SequencesOf(matrix)) {}
+      : matrix_(matrix), folders_(folders), sequences_(ListSequences(matrix)) {}
 
   Job Data(int draw) const;
   // How the edges of our CAD models lie is the category's padding: datasets/README.md.

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -18,9 +18,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kNames{"done", "reused", "failed", "not run"};
 
-fs::path FileOf(const fs::path& folder, const std::string& job) { return folder / "jobs" / (job + ".json"); }
+fs::path RecordFile(const fs::path& folder, const std::string& job) {
+  return folder / "jobs" / (job + ".json");
+}
 
-JobStatus StatusOf(const std::string& name) {
+JobStatus ParseStatus(const std::string& name) {
   for (size_t i = 0; i < kNames.size(); ++i) {
     if (name == kNames[i]) return static_cast<JobStatus>(i);
   }
@@ -31,29 +33,29 @@ JobStatus StatusOf(const std::string& name) {
 
 std::string StatusName(JobStatus status) { return kNames.at(static_cast<size_t>(status)); }
 
-fs::path LogOf(const fs::path& folder, const std::string& job) { return folder / "jobs" / (job + ".log"); }
+fs::path LogFile(const fs::path& folder, const std::string& job) { return folder / "jobs" / (job + ".log"); }
 
 void WriteRecord(const fs::path& folder, const JobRecord& record) {
   const Json json{{"job", record.name},        {"status", StatusName(record.status)},
                   {"seconds", record.seconds}, {"key", record.key},
                   {"reason", record.reason},   {"commands", record.commands}};
-  WriteWholeFile(FileOf(folder, record.name),
-                 json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  AtomicWrite(RecordFile(folder, record.name),
+              json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<JobRecord> ReadRecord(const fs::path& folder, const std::string& job) {
-  std::ifstream stream(FileOf(folder, job));
+  std::ifstream stream(RecordFile(folder, job));
   const Json json = Json::parse(stream, nullptr, false);
   if (!json.is_object() || json.value("job", "") != job) return std::nullopt;
   return JobRecord{.name = job,
-                   .status = StatusOf(json.value("status", "")),
+                   .status = ParseStatus(json.value("status", "")),
                    .seconds = json.value("seconds", 0.0),
                    .key = json.value("key", ""),
                    .reason = json.value("reason", ""),
                    .commands = json.value("commands", std::vector<std::string>{})};
 }
 
-std::string ReasonOf(const fs::path& log, int ended) {
+std::string FindReason(const fs::path& log, int ended) {
   const std::string start = "armature: ";
   std::string reason;
   std::ifstream stream(log);

@@ -11,7 +11,7 @@
 
 namespace armature {
 
-std::filesystem::path LogOf(const std::filesystem::path& folder, const std::string& job);
+std::filesystem::path LogFile(const std::filesystem::path& folder, const std::string& job);
 
 // Throws InputError when it cannot be written.
 void WriteRecord(const std::filesystem::path& folder, const JobRecord& record);
@@ -23,6 +23,6 @@ std::optional<JobRecord> ReadRecord(const std::filesystem::path& folder, const s
 std::string StatusName(JobStatus status);
 
 // Why a job failed: the last line that begins with "armature: " in its log, or how its process ended.
-std::string ReasonOf(const std::filesystem::path& log, int ended);
+std::string FindReason(const std::filesystem::path& log, int ended);
 
 }  // namespace armature

@@ -85,7 +85,7 @@ class Scheduler {
       return End(index, record);
     }
     try {
-      record.key = KeyOf(job, folders_.folder, folders_.program, hashes_);
+      record.key = MakeKey(job, folders_.folder, folders_.program, hashes_);
       if (const auto earlier = Reused(job, record.key)) return End(index, *earlier);
       Prepare(job);
       started_[index] = record;
@@ -97,14 +97,14 @@ class Scheduler {
 
   std::unique_ptr<ChildProcess> Start(const Job& job, size_t command) const {
     return std::make_unique<ChildProcess>(folders_.program, job.commands[command], folders_.folder,
-                                          LogOf(folders_.folder, job.name));
+                                          LogFile(folders_.folder, job.name));
   }
 
   // Nothing of an earlier try is left.
   void Prepare(const Job& job) const {
     for (const std::string& output : job.outputs) fs::remove_all(folders_.folder / output);
-    fs::create_directories(LogOf(folders_.folder, job.name).parent_path());
-    fs::remove(LogOf(folders_.folder, job.name));
+    fs::create_directories(LogFile(folders_.folder, job.name).parent_path());
+    fs::remove(LogFile(folders_.folder, job.name));
   }
 
   // The record of the finished job with this key, whose outputs are then in the folder.
@@ -131,8 +131,8 @@ class Scheduler {
       fs::create_directories((folders_.folder / output).parent_path());
       fs::copy(where / output, folders_.folder / output, fs::copy_options::recursive);
     }
-    if (fs::exists(LogOf(where, job.name)))
-      fs::copy(LogOf(where, job.name), LogOf(folders_.folder, job.name));
+    if (fs::exists(LogFile(where, job.name)))
+      fs::copy(LogFile(where, job.name), LogFile(folders_.folder, job.name));
   }
 
   // Takes note of calls that have ended. False: none has.
@@ -152,7 +152,7 @@ class Scheduler {
     JobRecord record = started_.at(running.index);
     record.seconds = std::chrono::duration<double>(Clock::now() - running.start).count();
     if (ended != 0) {
-      Fail(running.index, record, ReasonOf(LogOf(folders_.folder, job.name), ended));
+      Fail(running.index, record, FindReason(LogFile(folders_.folder, job.name), ended));
       return false;
     }
     if (++running.command < job.commands.size()) {

@@ -117,17 +117,17 @@ void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
   }
 }
 
-fs::path DataOfDraw(const Matrix& matrix, int draw) {
+fs::path LocateDraw(const Matrix& matrix, int draw) {
   const fs::path data = fs::absolute(matrix.data).lexically_normal();
   return draw == 1 ? data : data / fmt::format("draw{}", draw);
 }
 
-std::vector<MatrixSequence> SequencesOf(const Matrix& matrix) {
+std::vector<MatrixSequence> ListSequences(const Matrix& matrix) {
   std::vector<MatrixSequence> sequences;
   for (int draw = 1; draw <= matrix.seeds; ++draw) {
     for (const std::string& scene : matrix.scenes) {
-      const std::string name = NameOfDraw(scene, draw);
-      sequences.push_back({name, scene, draw, DataOfDraw(matrix, draw) / name});
+      const std::string name = NameDraw(scene, draw);
+      sequences.push_back({name, scene, draw, LocateDraw(matrix, draw) / name});
     }
   }
   for (const fs::path& folder : matrix.sequences)

@@ -79,9 +79,9 @@ struct MatrixSequence {
 };
 
 // Where the sequences of a draw are rendered to; absolute.
-std::filesystem::path DataOfDraw(const Matrix& matrix, int draw);
+std::filesystem::path LocateDraw(const Matrix& matrix, int draw);
 
 // Draw after draw, each in the order of the file.
-std::vector<MatrixSequence> SequencesOf(const Matrix& matrix);
+std::vector<MatrixSequence> ListSequences(const Matrix& matrix);
 
 }  // namespace armature

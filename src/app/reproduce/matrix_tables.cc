@@ -52,8 +52,8 @@ std::optional<double> ViewNumber(const EvaluatedNumbers& numbers, const std::str
 }
 
 // What became of the job; one placed by odometry has that of its run.
-std::string OutcomeOf(const std::vector<JobRecord>& records, const Variant& variant,
-                      const std::string& sequence) {
+std::string DescribeOutcome(const std::vector<JobRecord>& records, const Variant& variant,
+                            const std::string& sequence) {
   const std::string name =
       fmt::format("runs/{}/{}", variant.IsRun() ? variant.name : variant.odometry_of, sequence);
   for (const JobRecord& record : records) {
@@ -93,7 +93,7 @@ void PushDraws(const Matrix& matrix, const EvaluatedNumbers& numbers, const std:
                const Variant& variant, Table& table) {
   Spread error;
   double found = 0, of = 0, spurious = 0;
-  for (const MatrixSequence& sequence : SequencesOf(matrix)) {
+  for (const MatrixSequence& sequence : ListSequences(matrix)) {
     if (sequence.family != scene) continue;
     const auto average = ObjectNumber(numbers, sequence.name, variant, "average [m]");
     if (average) error.values.push_back(*average);
@@ -139,7 +139,7 @@ Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& records,
               .rows = {},
               .notes = MatrixNotes(),
               .name = "matrix"};
-  for (const MatrixSequence& sequence : SequencesOf(matrix)) {
+  for (const MatrixSequence& sequence : ListSequences(matrix)) {
     for (const Variant& variant : matrix.variants) {
       const auto of = [&](const char* column) {
         return ObjectNumber(numbers, sequence.name, variant, column);
@@ -150,7 +150,7 @@ Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& records,
                             NumberCell(of("azimuth [deg]"), 2),
                             NumberCell(CameraNumber(numbers, sequence.name, variant), 4),
                             NumberCell(ViewNumber(numbers, sequence.name, variant), 1),
-                            TextCell(OutcomeOf(records, variant, sequence.name))});
+                            TextCell(DescribeOutcome(records, variant, sequence.name))});
     }
   }
   return table;

@@ -29,7 +29,7 @@ std::vector<std::string> WithRuns(const std::vector<std::string>& variants,
 }
 
 bool HaveTruth(const Matrix& matrix) {
-  const std::vector<MatrixSequence> sequences = SequencesOf(matrix);
+  const std::vector<MatrixSequence> sequences = ListSequences(matrix);
   return std::any_of(sequences.begin(), sequences.end(), [](const MatrixSequence& sequence) {
     return fs::exists(sequence.folder / "groundtruth.txt") || fs::exists(sequence.folder / "objects_gt.csv");
   });
@@ -46,7 +46,8 @@ std::vector<Job> PlanRuns(const Matrix& matrix, const PlanFolders& folders) {
   if (!matrix.retrieval.empty()) jobs.push_back(planner.Library());
   for (const Variant& variant : matrix.variants) {
     if (!variant.IsRun()) continue;
-    for (const MatrixSequence& sequence : SequencesOf(matrix)) jobs.push_back(planner.Run(variant, sequence));
+    for (const MatrixSequence& sequence : ListSequences(matrix))
+      jobs.push_back(planner.Run(variant, sequence));
   }
   for (const Timing& timing : matrix.timings) jobs.push_back(planner.Bench(timing));
   return jobs;

@@ -104,7 +104,7 @@ const std::vector<std::string> kKeys{"name",     "data",      "scenes",        "
                                      "timings"};
 
 template <typename Named>
-std::vector<std::string> NamesOf(const std::vector<Named>& all) {
+std::vector<std::string> ListNames(const std::vector<Named>& all) {
   std::vector<std::string> names;
   for (const Named& one : all) names.push_back(one.name);
   return names;
@@ -145,8 +145,8 @@ void CheckMatrix(const YamlMap& map, const Matrix& matrix) {
   if (families.empty()) throw InputError(map.At("scenes", "and `sequences` are empty: nothing to run"));
   if (runs.empty()) throw InputError(map.At("variants", "has nothing to run"));
   CheckDistinct(map, "sequences", families);
-  CheckDistinct(map, "variants", NamesOf(matrix.variants));
-  CheckDistinct(map, "timings", NamesOf(matrix.timings));
+  CheckDistinct(map, "variants", ListNames(matrix.variants));
+  CheckDistinct(map, "timings", ListNames(matrix.timings));
   for (const Variant& variant : matrix.variants) {
     if (!variant.IsRun()) CheckKnown(map, "variants", "variant", variant.odometry_of, runs);
   }

@@ -25,14 +25,14 @@
 #include "cli/data_folders.h"
 #include "cli/help.h"
 #include "cli/printed_tables.h"
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
 
-Matrix MatrixOf(const ReproduceArguments& a) {
+Matrix LoadMatrix(const ReproduceArguments& a) {
   Matrix matrix =
       ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config, a.fast);
   if (!a.data.empty()) matrix.data = a.data;
@@ -111,7 +111,7 @@ class Reproduction {
     const EvaluatedNumbers numbers(eval);
     tables_ = {MatrixTable(matrix_, done_, numbers)};
     if (auto draws = DrawsTable(matrix_, numbers)) tables_.push_back(std::move(*draws));
-    WriteWholeFile(folders_.results / "evaluation/matrix.json", FormatTables(tables_, TableFormat::kJson));
+    AtomicWrite(folders_.results / "evaluation/matrix.json", FormatTables(tables_, TableFormat::kJson));
   }
 
   const Matrix& matrix_;
@@ -129,10 +129,10 @@ bool HasFailed(const std::vector<JobRecord>& jobs) {
 
 // The folder's own description of itself.
 void WriteReadme(const fs::path& folder) {
-  WriteWholeFile(folder / "README.txt", "");
+  AtomicWrite(folder / "README.txt", "");
   std::string text = "Results of `armature reproduce`.\n\n";
-  for (const auto& [name, meaning] : FilesOf(folder)) text += fmt::format("{:<18}{}\n", name, meaning);
-  WriteWholeFile(folder / "README.txt", text);
+  for (const auto& [name, meaning] : ListFiles(folder)) text += fmt::format("{:<18}{}\n", name, meaning);
+  AtomicWrite(folder / "README.txt", text);
 }
 
 std::string WhereResultsAre(const ReproductionFolder& results, const std::vector<JobRecord>& jobs,
@@ -145,7 +145,7 @@ std::string WhereResultsAre(const ReproductionFolder& results, const std::vector
       "\n{} jobs in {:.0f} s: {} done, {} used again, {} failed, {} not run\nResults: {} (also {})\n",
       jobs.size(), seconds, count(JobStatus::kDone), count(JobStatus::kReused), count(JobStatus::kFailed),
       count(JobStatus::kNotRun), results.folder().string(), results.latest().string());
-  for (const auto& [name, meaning] : FilesOf(results.folder()))
+  for (const auto& [name, meaning] : ListFiles(results.folder()))
     text += fmt::format("  {:<18}{}\n", name, meaning);
   return text;
 }
@@ -176,9 +176,9 @@ CommandHelp ReproduceHelp() {
 int RunReproduce(const ReproduceArguments& arguments) {
   const TableFormat format = arguments.json ? TableFormat::kJson : TableFormatFromName(arguments.format);
   const auto start = std::chrono::steady_clock::now();
-  const Matrix matrix = MatrixOf(arguments);
+  const Matrix matrix = LoadMatrix(arguments);
   ReproductionFolder results(arguments.out, matrix.name);
-  WriteWholeFile(results.partial() / "config.yaml", MatrixYaml(matrix));
+  AtomicWrite(results.partial() / "config.yaml", MatrixYaml(matrix));
   Reproduction reproduction(matrix, arguments, results);
   try {
     reproduction.Run();

@@ -9,8 +9,8 @@
 #include "app/reproduce/job_records.h"
 #include "app/reproduce/reproduction_folder.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 #include "io/build_info.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -46,7 +46,7 @@ std::vector<fs::path> Sorted(const fs::path& folder) {
 }
 
 // As it was typed, word by word.
-std::vector<std::string> CallOfThisProgram() {
+std::vector<std::string> ReadOwnCall() {
   std::vector<std::string> words;
   std::istringstream stream(ReadTextFile("/proc/self/cmdline"));
   for (std::string word; std::getline(stream, word, '\0');) words.push_back(word);
@@ -69,7 +69,7 @@ void WriteEnvironment(const fs::path& folder, double wall_seconds, const std::ve
                               {"ceres", build.ceres},
                               {"cpu", machine.cpu},
                               {"cores", machine.cores},
-                              {"call", CallOfThisProgram()},
+                              {"call", ReadOwnCall()},
                               {"wall_seconds", wall_seconds}};
   nlohmann::ordered_json& outcome = json["jobs"] = nlohmann::ordered_json::object();
   for (const JobRecord& job : jobs) {
@@ -77,7 +77,7 @@ void WriteEnvironment(const fs::path& folder, double wall_seconds, const std::ve
     count = count.is_null() ? 1 : count.get<int>() + 1;
   }
   json["complete"] = true;
-  WriteWholeFile(folder / "environment.json", json.dump(2) + "\n");
+  AtomicWrite(folder / "environment.json", json.dump(2) + "\n");
 }
 
 void CollectPictures(const fs::path& folder, const Matrix& matrix) {
@@ -98,7 +98,7 @@ void CollectPictures(const fs::path& folder, const Matrix& matrix) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> FilesOf(const fs::path& folder) {
+std::vector<std::pair<std::string, std::string>> ListFiles(const fs::path& folder) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& [name, meaning] : kFiles) {
     if (fs::exists(folder / name)) files.emplace_back(name, meaning);

@@ -43,6 +43,6 @@ void WriteEnvironment(const std::filesystem::path& folder, double wall_seconds,
 void CollectPictures(const std::filesystem::path& folder, const Matrix& matrix);
 
 // What each file of the folder is; of those that are there. Name and meaning.
-std::vector<std::pair<std::string, std::string>> FilesOf(const std::filesystem::path& folder);
+std::vector<std::pair<std::string, std::string>> ListFiles(const std::filesystem::path& folder);
 
 }  // namespace armature

@@ -13,11 +13,11 @@ namespace armature {
 namespace {
 
 // In the object frame of the map's object.
-TriangleMesh SurfaceOf(const RetrievedInstance& nearest, const CategoryInstances& library,
-                       const MapObject& object, const std::filesystem::path& root) {
+TriangleMesh FindSurface(const RetrievedInstance& nearest, const CategoryInstances& library,
+                         const MapObject& object, const std::filesystem::path& root) {
   const std::string& geometry = library.geometries[static_cast<size_t>(nearest.instance)];
   if (geometry.empty()) throw InputError("the library has no surface of it");
-  Eigen::Affine3d T_object_geometry = library.TransformOf(nearest.instance);
+  Eigen::Affine3d T_object_geometry = library.MakeTransform(nearest.instance);
   if (nearest.fit) {
     T_object_geometry = object.T_world_object.inverse() * nearest.fit->T_world_object *
                         Eigen::Scaling(nearest.fit->scale) * T_object_geometry;
@@ -30,7 +30,7 @@ TriangleMesh NearestSurface(const ObjectInstances& found, const MapObject& objec
                             const std::filesystem::path& root, std::vector<std::string>& missing) {
   for (const RetrievedInstance& instance : found.instances) {
     try {
-      return SurfaceOf(instance, *found.library, object, root);
+      return FindSurface(instance, *found.library, object, root);
     } catch (const InputError& error) {
       missing.push_back(fmt::format("{}: {} cannot be placed, the next nearest is: {}", object.id,
                                     found.library->ids[static_cast<size_t>(instance.instance)],
@@ -47,7 +47,7 @@ TriangleMesh NearestSurface(const ObjectInstances& found, const MapObject& objec
 PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::path& root) {
   PlacedScene placed;
   placed.scene.T_world_camera = retrieval.map.T_world_camera;
-  placed.scene.up_world = UpOf(retrieval.map);
+  placed.scene.up_world = EstimateUp(retrieval.map);
   for (const ObjectInstances& found : retrieval.objects) {
     const MapObject& object = retrieval.map.objects[found.object];
     MapSceneObject& scene = placed.scene.objects.emplace_back();

@@ -7,8 +7,8 @@
 
 #include "base/number_format.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 #include "io/csv.h"
-#include "io/whole_file.h"
 
 namespace armature {
 namespace {
@@ -65,8 +65,8 @@ void WriteRetrieval(const RunRetrieval& retrieval) {
         found.library->ids[static_cast<size_t>(found.instances.front().instance)];
   }
   const std::string objects = WithInstances(retrieval.run / "objects.csv", of_object);
-  WriteWholeFile(retrieval.run / "retrieval.csv", RetrievalText(retrieval));
-  WriteWholeFile(retrieval.run / "objects.csv", objects);
+  AtomicWrite(retrieval.run / "retrieval.csv", RetrievalText(retrieval));
+  AtomicWrite(retrieval.run / "objects.csv", objects);
 }
 
 }  // namespace armature

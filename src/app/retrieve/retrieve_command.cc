@@ -58,7 +58,7 @@ void WriteIndices(const fs::path& file, const InstanceLibrary& library,
 
 int Build(const RetrieveArguments& arguments, TableFormat format) {
   const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
-  const InstanceLibrary library = LibraryOfFolder(arguments.cad, models);
+  const InstanceLibrary library = BuildFolderLibrary(arguments.cad, models);
   WriteLibrary(library, arguments.out);
   WriteIndices(arguments.out, library, models, arguments);
   fmt::print("{}", FormatTables({LibraryTable(library)}, format));

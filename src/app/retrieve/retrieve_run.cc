@@ -23,14 +23,14 @@ class Looker {
   Looker(const RunRetrieval& retrieval, const fs::path& sequence, const std::vector<CategoryModel>& models,
          const RetrievalOptions& options)
       : map_(retrieval.map),
-        up_world_(UpOf(retrieval.map)),
+        up_world_(EstimateUp(retrieval.map)),
         sequence_(LoadSequence(sequence, CategoryNames(models))) {
     std::vector<size_t> cameras;
     for (size_t o = 0; o < map_.objects.size(); ++o) {
       sightings_.push_back(SightingsToLookAt(map_, o, options.views));
       for (const Sighting& sighting : sightings_.back()) cameras.push_back(sighting.camera);
     }
-    views_ = ViewsOf(map_, cameras, sequence_, models, ReadRunOptions(retrieval.run));
+    views_ = MakeViews(map_, cameras, sequence_, models, ReadRunOptions(retrieval.run));
   }
 
   ObjectSightings At(size_t object) const {
@@ -45,7 +45,7 @@ class Looker {
   ViewsOfCameras views_;
 };
 
-fs::path SequenceOf(const RunResults& run, const fs::path& given) {
+fs::path FindSequence(const RunResults& run, const fs::path& given) {
   fs::path folder = given.empty() ? run.sequence_folder : given;
   if (fs::exists(folder / "sequence.yaml")) return folder;
   throw InputError(
@@ -63,7 +63,7 @@ RunRetrieval RetrieveRun(const fs::path& run, const fs::path& sequence,
   RunRetrieval retrieval{run, results.sequence, ReadRunMap(results, models), {}};
   std::optional<Looker> looker;
   if (options.rerank && !retrieval.map.objects.empty())
-    looker.emplace(retrieval, SequenceOf(results, sequence), models, options);
+    looker.emplace(retrieval, FindSequence(results, sequence), models, options);
   for (size_t o = 0; o < retrieval.map.objects.size(); ++o) {
     ThrowIfInterrupted();
     const MapObject& object = retrieval.map.objects[o];

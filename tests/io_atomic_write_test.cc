@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 
@@ -20,17 +20,17 @@ int EntriesOf(const fs::path& folder) {
 TEST(WholeFile, ReplacesWhatWasThere) {
   const testing::TempFolder folder;
   const std::string bytes("a\0b\r\n\xff", 6);
-  WriteWholeFile(folder / "file", "something longer than that");
-  WriteWholeFile(folder / "file", bytes);
+  AtomicWrite(folder / "file", "something longer than that");
+  AtomicWrite(folder / "file", bytes);
   EXPECT_EQ(ReadFile(folder / "file"), bytes);
-  WriteWholeFile(folder / "empty", "");
+  AtomicWrite(folder / "empty", "");
   EXPECT_EQ(ReadFile(folder / "empty"), "");
   EXPECT_EQ(EntriesOf(folder.path()), 2) << "nothing is left aside";
 }
 
 TEST(WholeFile, MakesTheFoldersAroundIt) {
   const testing::TempFolder folder;
-  WriteWholeFile(folder / "a/b/c", "x");
+  AtomicWrite(folder / "a/b/c", "x");
   EXPECT_EQ(ReadFile(folder / "a/b/c"), "x");
 }
 
@@ -38,9 +38,9 @@ TEST(WholeFile, WhatCannotBeWrittenLeavesNothingBehind) {
   const testing::TempFolder folder;
   folder.Write("file", "as before");
   fs::create_directories(folder / "taken/inside");
-  ExpectInputError([&] { WriteWholeFile(folder / "file/below", "x"); },
+  ExpectInputError([&] { AtomicWrite(folder / "file/below", "x"); },
                    {"file/below", "cannot be written", "folder"});
-  ExpectInputError([&] { WriteWholeFile(folder / "taken", "x"); }, {"taken", "cannot be written"});
+  ExpectInputError([&] { AtomicWrite(folder / "taken", "x"); }, {"taken", "cannot be written"});
   EXPECT_EQ(ReadFile(folder / "file"), "as before");
   EXPECT_EQ(EntriesOf(folder.path()), 2);
 }

@@ -9,6 +9,6 @@ namespace armature {
 
 // Writes the bytes aside and renames; creates the folders around the file. Throws InputError when it cannot
 // be written.
-void WriteWholeFile(const std::filesystem::path& file, std::string_view bytes);
+void AtomicWrite(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace armature

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/whole_file.h"
+#include "io/atomic_write.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 namespace armature {
 
-void WriteWholeFile(const std::filesystem::path& file, std::string_view bytes) {
+void AtomicWrite(const std::filesystem::path& file, std::string_view bytes) {
   std::error_code error;
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
   std::filesystem::path aside = file;
