@@ -3,6 +3,7 @@
 
 #include "category/learn.h"
 #include "category/set_comparison.h"
+#include "datasets/cad/families.h"
 #include "io/category_yaml.h"
 #include "io/training_models.h"
 #include "support/category_examples.h"
@@ -19,7 +20,8 @@ TrainingSpec FindSpec(const std::string& category) {
 TEST(SetComparison, ASetComparedWithItselfHasMeanZeroAndDeviationOne) {
   for (const std::string category : {"chair", "table", "laptop"}) {
     const TrainingSpec spec = FindSpec(category);
-    const TrainingModels family = FamilyTrainingModels(spec, {category, 200, 1});
+    const TrainingModels family =
+        FamilyTrainingModels(spec, {category, 200, 1}, SampleFamily({category, 200, 1}));
     const CategoryModel model = LearnCategory(spec, family.wireframes, "");
     const CoefficientStatistics own = ComputeStatistics(model, spec, family.wireframes).coefficients;
     EXPECT_LT(own.mean.cwiseAbs().maxCoeff(), 1e-6) << category;
@@ -80,7 +82,8 @@ TEST_P(FamilyAgreement, WithPublishedModels) {
   const TrainingSpec spec = FindSpec(expected.category);
   const TrainingModels published = AnnotatedTrainingModels(spec, {file, expected.format});
   const CategoryModel model = LearnCategory(spec, published.wireframes, "");
-  const TrainingModels family = FamilyTrainingModels(spec, {expected.category, 2000, 1, false});
+  const TrainingModels family = FamilyTrainingModels(spec, {expected.category, 2000, 1, false},
+                                                     SampleFamily({expected.category, 2000, 1, false}));
   const SetStatistics ours = ComputeStatistics(model, spec, family.wireframes);
   for (int i = 0; i < expected.modes; ++i) {
     EXPECT_LT(std::abs(ours.coefficients.mean[i]), expected.mean) << "mode " << i + 1;

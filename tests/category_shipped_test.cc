@@ -7,6 +7,7 @@
 
 #include "category/learn.h"
 #include "category/normalise.h"
+#include "datasets/cad/families.h"
 #include "io/annotations.h"
 #include "io/category_yaml.h"
 #include "io/training_models.h"
@@ -120,7 +121,7 @@ void ExpectReproduced(const TrainingSpec& spec, const TrainingModels& models) {
 TEST(ShippedModels, TablesAndLaptopsAreLearntFromTheirFamilies) {
   for (const char* name : {"table", "laptop"}) {
     const TrainingSpec spec = LoadTrainingSpec(CategoryFolder() / "specs" / (std::string(name) + ".yaml"));
-    ExpectReproduced(spec, FamilyTrainingModels(spec, {name, 2000, 1}));
+    ExpectReproduced(spec, FamilyTrainingModels(spec, {name, 2000, 1}, SampleFamily({name, 2000, 1})));
   }
 }
 
