@@ -11,13 +11,17 @@ if [[ ${1:-} != --check ]]; then
   exit 0
 fi
 
-unformatted=()
-for file in "${files[@]}"; do
-  clang-format --dry-run --Werror "$file" >/dev/null 2>&1 || unformatted+=("$file")
-done
+# Many files a call, a call a processor; each complaint starts with the file's name.
+complaints=$(printf '%s\0' "${files[@]}" |
+  xargs -0 -P "$(nproc)" -n 64 clang-format --dry-run --Werror 2>&1) && status=0 || status=$?
+mapfile -t unformatted < <(grep -oP '^[^:]+(?=:\d+:\d+: error:)' <<<"$complaints" | sort -u)
 if [[ ${#unformatted[@]} -gt 0 ]]; then
   echo "format: not formatted, run scripts/format.sh:" >&2
   printf '  %s\n' "${unformatted[@]}" >&2
+  exit 1
+fi
+if [[ $status -ne 0 ]]; then
+  echo "format: clang-format failed: $complaints" >&2
   exit 1
 fi
 echo "format: ${#files[@]} files are formatted"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Set-up, release build and the main job: everything that `armature reproduce` does, from rendering the embedded data to
-# the report. Arguments are its own: scripts/run.sh --fast, scripts/run.sh --seeds 3.
+# Set-up and release build of the program alone, then the main job: everything that `armature reproduce` does, from
+# rendering the embedded data to the report. Arguments are its own: scripts/run.sh --fast, scripts/run.sh --seeds 3.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh
-scripts/build.sh release
+scripts/setup.sh program
+scripts/build.sh release armature_program
 build/release/armature reproduce "$@"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the Debian 12 packages that building, testing and formatting need. Does nothing when all are there.
+# Installs Debian 12 packages: scripts/setup.sh [program|tests|all]. What the program needs to be built and run; that and
+# what its tests need; that and what the other scripts need, which is the default. Does nothing when all are there.
 set -euo pipefail
 
 packages=(
@@ -8,9 +9,19 @@ packages=(
   libeigen3-dev libceres-dev libopencv-dev libopencv-contrib-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev libfmt-dev libembree-dev libflann-dev liblz4-dev
   libpcl-dev
-  node-d3 libjs-three
-  libgtest-dev chromium gnuplot-nox clang-format clang-tidy
+  node-d3 libjs-three gnuplot-nox
 )
+tests=(libgtest-dev chromium clang-format)
+others=(clang-tidy)
+case ${1:-all} in
+  program) ;;
+  tests) packages+=("${tests[@]}") ;;
+  all) packages+=("${tests[@]}" "${others[@]}") ;;
+  *)
+    echo "setup: program, tests or all, not '$1'" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -137,6 +137,7 @@ TEST(AppGenerate, IsDoneOnceUnlessAskedForSomethingElse) {
 }
 
 TEST(AppGenerate, GivesTheSameBytesWhateverTheThreads) {
+  const testing::StartedAnew anew;
   const TempFolder one, two;
   setenv("OMP_NUM_THREADS", "1", 1);
   GenerateSmallScene(one, 3);

@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::CopySmallScene;
 using testing::ExpectBadInput;
-using testing::GenerateSmallScene;
 using testing::ProgramResult;
 using testing::ReadFile;
 using testing::RunProgram;
@@ -30,7 +30,7 @@ variants:
 class ReproduceSmallScene : public ::testing::Test {
  protected:
   void SetUp() override {
-    GenerateSmallScene(folder_, 3);
+    CopySmallScene(folder_, 3);
     folder_.Write("broken.yaml", "association: {detector: sonar}\n");
     config_ = folder_.Write("den.yaml", kDenMatrix);
   }
@@ -41,6 +41,7 @@ class ReproduceSmallScene : public ::testing::Test {
   }
   std::string InResults(const std::string& file) const { return ReadFile(folder_ / "results/latest" / file); }
 
+  const testing::StartedAnew anew_;  // it starts itself
   TempFolder folder_;
   std::string config_;
 };

@@ -8,14 +8,16 @@
 #include "io/csv.h"
 #include "io/mesh_file.h"
 #include "io/placed_objects.h"
+#include "support/filled_once.h"
 #include "support/small_scene.h"
 #include "truth/ground_truth.h"
 
 namespace armature {
 namespace {
 
+using testing::CopySmallScene;
 using testing::ExpectBadInput;
-using testing::GenerateSmallScene;
+using testing::FilledOnce;
 using testing::ProgramResult;
 using testing::ReadFile;
 using testing::RunOk;
@@ -40,15 +42,21 @@ void WriteSmallCollection(const std::filesystem::path& folder, const std::set<st
 }
 
 // A finished run of the small scene, the CAD models and their library.
+void FillWithSmallRun(const TempFolder& folder) {
+  CopySmallScene(folder, 4);
+  RunOk({"run", folder / "out/den", "--out", folder / "run", "--set", "mapping.min_observations=2"});
+  std::set<std::string> instances;
+  for (const TrueObject& object : LoadGroundTruth(folder / "out/den").objects)
+    instances.insert(object.instance);
+  WriteSmallCollection(folder / "cad", instances);
+  RunOk({"retrieve", "--build", "--cad", folder / "cad", "--out", folder / "furniture.armlib"});
+}
+
 class RetrieveSmallScene : public ::testing::Test {
  protected:
   void SetUp() override {
-    GenerateSmallScene(folder_, 4);
     for (const TrueObject& object : LoadGroundTruth(folder_ / "out/den").objects)
       true_of_[object.category] = object.instance;
-    RunOk({"run", folder_ / "out/den", "--out", run_, "--set", "mapping.min_observations=2"});
-    WriteSmallCollection(folder_ / "cad", {true_of_["table"], true_of_["laptop"]});
-    RunOk({"retrieve", "--build", "--cad", folder_ / "cad", "--out", library_});
   }
   ProgramResult Retrieve(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"retrieve", run_, "--library", library_};
@@ -65,7 +73,12 @@ class RetrieveSmallScene : public ::testing::Test {
     return instances;
   }
 
-  TempFolder folder_;
+  static const TempFolder& SmallRun() {
+    static FilledOnce small_run(FillWithSmallRun);
+    return small_run.Restore();
+  }
+
+  const TempFolder& folder_ = SmallRun();
   std::string run_ = folder_ / "run", library_ = folder_ / "furniture.armlib";
   std::map<std::string, std::string> true_of_;  // instance by category
 };

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `armature run` from end to end, on the built-in sample and on tiny sequences.
+// `armature run` from end to end, on a built-in sequence and on tiny sequences.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/csv.h"
+#include "io/trajectory.h"
 #include "support/small_scene.h"
 #include "support/tiny_sequence.h"
 #include "truth/ground_truth.h"
@@ -18,7 +22,7 @@ namespace armature {
 namespace {
 
 using testing::AllFiles;
-using testing::GenerateSmallScene;
+using testing::CopySmallScene;
 using testing::ProgramResult;
 using testing::ReadFile;
 using testing::RunOk;
@@ -72,33 +76,87 @@ std::map<std::string, Errors> ErrorsOf(const std::filesystem::path& run,
   return errors;
 }
 
-TEST(AppRun, FindsTheFurnitureOfTheSample) {
-  const TempFolder folder;
-  const std::string sequence = folder / "sample", run = folder / "run";
-  RunOk({"generate", "--only", "sample", "--without-cad", "--frames", "6", "--out", folder.path()});
-  const ProgramResult result = RunOk({"run", sequence, "--out", run});
-  EXPECT_EQ(AllFiles(run), kRunFiles);
-  EXPECT_NE(result.out.find(run), std::string::npos) << result.out;
-  for (const std::string& file : kRunFiles) EXPECT_NE(result.out.find(file), std::string::npos) << file;
+// A run over the first frames of the first built-in sequence, made once.
+struct ShortRun {
+  ShortRun() {
+    RunOk({"generate", "--only", "seq1", "--without-cad", "--frames", "6", "--out", folder.path()});
+    result = RunOk({"run", sequence, "--out", run});
+  }
+  TempFolder folder;
+  std::string sequence = folder / "seq1", run = folder / "run";
+  ProgramResult result;
+};
 
-  const auto summary = nlohmann::json::parse(ReadFile(folder / "run/summary.json"));
-  EXPECT_EQ(summary["sequence"], "sample");
+const ShortRun& TheShortRun() {
+  static const ShortRun run;
+  return run;
+}
+
+TEST(AppRun, SaysWhatItWrote) {
+  const ShortRun& made = TheShortRun();
+  const std::string& out = made.result.out;
+  EXPECT_EQ(AllFiles(made.run), kRunFiles);
+  EXPECT_NE(out.find(made.run), std::string::npos) << out;
+  for (const std::string& file : kRunFiles) EXPECT_NE(out.find(file), std::string::npos) << file;
+
+  const auto summary = nlohmann::json::parse(ReadFile(made.run + "/summary.json"));
+  EXPECT_EQ(summary["sequence"], "seq1");
   EXPECT_EQ(summary["counts"]["frames"], 6);
   EXPECT_GT(summary["stages_ms"]["load"]["median"], 0);
+}
 
-  const std::map<std::string, Errors> errors = ErrorsOf(run, sequence);
-  for (const auto& [category, least] : {std::pair{"chair", 13u}, {"table", 5u}, {"laptop", 5u}}) {
+struct SingleViewBound {
+  std::string category;
+  size_t least;                             // views
+  double azimuth_deg, translation_percent;  // medians of at most
+};
+
+// Half as much again as it reaches: chairs 0.7 degrees and 4.2 %, the table 2.1 and 5.5, the laptop 3.1
+// and 9.0.
+TEST(AppRun, FindsTheFurnitureInSingleViews) {
+  const std::map<std::string, Errors> errors = ErrorsOf(TheShortRun().run, TheShortRun().sequence);
+  for (const auto& [category, least, azimuth_deg, translation_percent] :
+       {SingleViewBound{"chair", 10, 1, 6}, {"table", 5, 3.2, 8}, {"laptop", 4, 4.7, 13}}) {
     const Errors& e = errors.at(category);
     EXPECT_GE(e.azimuth_deg.size(), least) << category;
-    EXPECT_LT(Middle(e.azimuth_deg), 10) << category;
-    EXPECT_LT(Middle(e.translation_percent), 15) << category;
+    EXPECT_LT(Middle(e.azimuth_deg), azimuth_deg) << category;
+    EXPECT_LT(Middle(e.translation_percent), translation_percent) << category;
   }
+}
+
+// Distances between the objects of the map and the nearest true ones of their category, metres, both in the
+// first camera's frame. Computed here, not by `armature eval`.
+std::vector<double> MapErrors(const std::filesystem::path& run, const std::filesystem::path& sequence) {
+  const GroundTruth truth = LoadGroundTruth(sequence);
+  const Eigen::Isometry3d T_true_run =
+      truth.T_world_camera.front().pose * ReadTumTrajectory(run / "trajectory.txt").front().pose.inverse();
+  std::vector<double> errors;
+  const CsvTable table(run / "objects.csv", {"id", "category"});
+  for (const CsvRow& row : table.rows()) {
+    const Eigen::Vector3d found = T_true_run * PoseOf(row).translation();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const TrueObject& object : truth.objects) {
+      if (object.category != row.Text("category")) continue;
+      nearest = std::min(nearest, (object.T_world_object.translation() - found).norm());
+    }
+    errors.push_back(nearest);
+  }
+  return errors;
+}
+
+// It reaches 0.066 m on average, 0.087 m at worst. Six pictures tell little of depth; whole sequences are
+// better.
+TEST(AppRun, MapsTheFurnitureWhereItIs) {
+  const std::vector<double> errors = MapErrors(TheShortRun().run, TheShortRun().sequence);
+  ASSERT_EQ(errors.size(), 4u);  // two chairs, the table, the laptop
+  EXPECT_LT(std::accumulate(errors.begin(), errors.end(), 0.0) / 4, 0.11);
+  EXPECT_LT(*std::max_element(errors.begin(), errors.end()), 0.15);
 }
 
 TEST(AppRun, SameInputGivesTheSameBytes) {
   const TempFolder folder;
   const std::string sequence = folder / "out/den";
-  GenerateSmallScene(folder, 4);
+  CopySmallScene(folder, 4);
   RunOk({"run", sequence, "--out", folder / "a"});
   RunOk({"run", sequence, "--out", folder / "b"});
   RunOk({"run", sequence, "--out", folder / "b"});  // a finished run may be replaced
@@ -111,7 +169,7 @@ TEST(AppRun, SameInputGivesTheSameBytes) {
 TEST(AppRun, TwoThreadsGiveTheSameBytesAndSkipTheSameImages) {
   const TempFolder folder;
   const std::string sequence = folder / "out/den";
-  GenerateSmallScene(folder, 4);
+  CopySmallScene(folder, 4);
   std::ofstream(sequence + "/rgb/0002.jpg") << "not an image";
   RunOk({"run", sequence, "--out", folder / "one"});
   RunOk({"run", sequence, "--out", folder / "two", "--pipelined"});
@@ -127,7 +185,7 @@ TEST(AppRun, TwoThreadsGiveTheSameBytesAndSkipTheSameImages) {
 
 TEST(AppRun, DrawsOverlaysOfTheFirstFrames) {
   const TempFolder folder;
-  GenerateSmallScene(folder, 3);
+  CopySmallScene(folder, 3);
   RunOk({"run", folder / "out/den", "--out", folder / "run", "--frames", "2", "--overlays"});
   Files expected = kRunFiles;
   expected.insert({"overlays", "overlays/000000.jpg", "overlays/000001.jpg"});

@@ -13,8 +13,8 @@ namespace armature {
 namespace {
 
 using testing::AllFiles;
+using testing::CopySmallScene;
 using testing::ExpectBadInput;
-using testing::GenerateSmallScene;
 using testing::ReadFile;
 using testing::RunOk;
 using testing::TempFolder;
@@ -22,7 +22,7 @@ using testing::WriteTinySequence;
 
 TEST(BenchCommand, ComparesEnginesAndDetectorsOnTheSmallScene) {
   const TempFolder folder;
-  GenerateSmallScene(folder, 4);
+  CopySmallScene(folder, 4);
   const std::string sequence = folder / "out/den", out = folder / "bench";
   const auto result =
       RunOk({"bench", sequence, "--tables", "comparison,detectors", "--engines", "lines,lines:fast",

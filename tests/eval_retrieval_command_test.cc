@@ -10,6 +10,7 @@
 #include "io/category_yaml.h"
 #include "io/library_file.h"
 #include "support/category_examples.h"
+#include "support/filled_once.h"
 #include "support/small_scene.h"
 #include "truth/ground_truth.h"
 
@@ -42,17 +43,22 @@ void WriteLibraryOf(const std::filesystem::path& cad, const std::set<std::string
 }
 
 // A finished run of the small scene, the CAD models and libraries with and without the true ones.
+void FillWithRunAndLibraries(const TempFolder& folder) {
+  testing::CopySmallScene(folder, 4);
+  RunOk({"run", folder / "out/den", "--out", folder / "run", "--set", "mapping.min_observations=2"});
+  std::set<std::string> true_models;
+  for (const TrueObject& object : LoadGroundTruth(folder / "out/den").objects)
+    true_models.insert(object.instance);
+  WriteFewModels(folder / "cad", true_models);
+  WriteLibraryOf(folder / "cad", {}, folder / "all.armlib");
+  WriteLibraryOf(folder / "cad", true_models, folder / "others.armlib");
+}
+
 class EvalRetrievalCommand : public ::testing::Test {
  protected:
-  void SetUp() override {
-    testing::GenerateSmallScene(folder_, 4);
-    RunOk({"run", folder_ / "out/den", "--out", Path("run"), "--set", "mapping.min_observations=2"});
-    std::set<std::string> true_models;
-    for (const TrueObject& object : LoadGroundTruth(folder_ / "out/den").objects)
-      true_models.insert(object.instance);
-    WriteFewModels(folder_ / "cad", true_models);
-    WriteLibraryOf(folder_ / "cad", {}, folder_ / "all.armlib");
-    WriteLibraryOf(folder_ / "cad", true_models, folder_ / "others.armlib");
+  static const TempFolder& RunAndLibraries() {
+    static testing::FilledOnce folder(FillWithRunAndLibraries);
+    return folder.Restore();
   }
 
   std::string Path(const std::string& name) const { return folder_ / name; }
@@ -62,7 +68,7 @@ class EvalRetrievalCommand : public ::testing::Test {
     return Json::parse(RunOk(all).out);
   }
 
-  TempFolder folder_;
+  const TempFolder& folder_ = RunAndLibraries();
 };
 
 TEST_F(EvalRetrievalCommand, RanksTheTrueModelsOfARun) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs BUILD, moves the prefix elsewhere, runs the program from another folder with the data beside it, and
-# builds tests/find_package against it with the compiler CXX.
+# builds and runs the example of tests/find_package against it with the compiler CXX.
 cmake_minimum_required(VERSION 3.25)
 
 # What the command prints, on either stream; ends the test when it fails or does not match the expression.
@@ -11,18 +11,6 @@ function(expect expression)
     list(JOIN ARGN " " command)
     message(FATAL_ERROR "${command}\nstatus ${status}, expected '${expression}' in:\n${output}")
   endif()
-endfunction()
-
-# One dark image and no detections.
-function(write_tiny_sequence folder)
-  string(REPEAT "7 " 3072 pixels)
-  file(WRITE ${folder}/frame.pgm "P2\n64 48\n255\n${pixels}\n")
-  file(WRITE ${folder}/rgb.txt "0.0 frame.pgm\n")
-  file(WRITE ${folder}/detections.csv
-       "timestamp,category,x,y,width,height,score,azimuth_deg,elevation_deg,tilt_deg\n")
-  file(WRITE ${folder}/odometry.txt "0.0 0 0 0 0 0 0 1\n")
-  file(WRITE ${folder}/sequence.yaml "name: tiny\nfps: 10\ncamera: {model: pinhole, width: 64, height: 48, fx: 50,"
-       " fy: 50, cx: 31.5, cy: 23.5, distortion: [0, 0, 0, 0, 0]}\n")
 endfunction()
 
 set(folder ${BUILD}/tests/install_test)
@@ -41,13 +29,16 @@ foreach(file datasets/scenes/seq1.yaml results/paper_object_errors.csv)
 endforeach()
 
 expect("armature 0" ${prefix}/bin/armature --version)
-write_tiny_sequence(${folder}/tiny)
+expect("sample" ${prefix}/bin/armature generate --only sample --without-cad --frames 6 --out ${folder})
 # A preset that the source tree does not have tells whose data the program takes.
 file(COPY_FILE ${data}/configs/presets/fast.yaml ${data}/configs/presets/installed.yaml)
-expect("Results:" ${prefix}/bin/armature run ${folder}/tiny --preset installed --out ${elsewhere}/run)
+expect("Results:" ${prefix}/bin/armature run ${folder}/sample --preset installed --out ${elsewhere}/run)
 
 expect("Generating done" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/find_package -B ${folder}/build
        -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${CXX})
 expect("Built target" ${CMAKE_COMMAND} --build ${folder}/build)
-expect("^chair: 11 edges, the longest [0-9]+ pixels" ${folder}/build/wireframe ${data}/configs/categories/chair.yaml)
+foreach(object chair0 chair1 table0)
+  expect("${object} at \\([-0-9., ]+\\) m, [0-9.]+ m high" ${folder}/build/example ${data}/configs/categories
+         ${folder}/sample)
+endforeach()
 file(REMOVE_RECURSE ${folder})

@@ -55,8 +55,14 @@ TEST(Progress, IsColouredWhereColourIsWanted) {
 TEST(Progress, CountsNothing) { EXPECT_EQ(ProgressText("frames", 0, kTerminal), ""); }
 
 TEST(Progress, ShowsNothingWithoutAStream) {
-  Progress progress("frames", 2, ProgressScreen{});
-  progress.Step();  // must not write anywhere
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  {
+    Progress progress("frames", 2, ProgressScreen{});
+    for (int i = 0; i < 2; ++i) progress.Step();
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(RemainingTime, IsUnknownAtFirst) {

@@ -196,16 +196,26 @@ TEST(ResectionProblem, LineResidualIsTheDistanceInPixels) {
   EXPECT_NEAR(residuals(0), 7, 1e-9);
 }
 
-TEST(ResectionProblem, AnUprightChairHasNoNormalResidual) {
-  const SyntheticView synthetic("table", 0.5, {0, 0.2, 3}, Eigen::Vector3d::Zero());
+// What the normal term says of an object that is turned by an angle from upright, as a share of the weight.
+double NormalResidual(const std::string& category, NormalTerm term, double tilt) {
+  const SyntheticView synthetic(category, 0.5, {0, 0.2, 3}, Eigen::Vector3d::Zero());
   ResectionProblem problem = ProblemOf(synthetic);
   problem.line_terms.clear();
   problem.plane_terms.clear();
+  problem.normal_term = term;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters()), residuals(problem.NumResiduals());
-  for (const NormalTerm term : {NormalTerm::kAxis, NormalTerm::kBase}) {
-    problem.normal_term = term;
-    problem(x.data(), residuals.data(), nullptr);
-    EXPECT_LT(residuals.head<3>().norm(), 0.02 * problem.up_weight);
+  x(2) = tilt;
+  problem(x.data(), residuals.data(), nullptr);
+  return residuals.head<3>().norm() / problem.up_weight;
+}
+
+TEST(ResectionProblem, AnUprightObjectHasNoNormalResidual) {
+  for (const char* category : {"chair", "table", "laptop"}) {
+    for (const NormalTerm term : {NormalTerm::kAxis, NormalTerm::kBase}) {
+      // A chair's base edges are those of an average, and not quite level.
+      EXPECT_LT(NormalResidual(category, term, 0), term == NormalTerm::kAxis ? 1e-9 : 0.02) << category;
+      EXPECT_NEAR(NormalResidual(category, term, 0.1), 0.1, 0.02) << category;
+    }
   }
 }
 
@@ -214,10 +224,10 @@ double PoseError(const PoseAndShape& estimate, const PoseAndShape& truth) {
          LogSO3(estimate.T_camera_object.linear() * truth.T_camera_object.linear().transpose()).norm();
 }
 
-ResectionResult ResectRounds(const SyntheticView& synthetic, PoseAndShape at,
-                             const ResectionOptions& options) {
+ResectionResult ResectRounds(const SyntheticView& synthetic, PoseAndShape at, const ResectionOptions& options,
+                             int rounds) {
   ResectionResult result;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const ProjectedWireframe projected = synthetic.Project(at);
     const Matching matching = MatchSegments(projected, synthetic.view.segments, {30, 0.3});
     result =
@@ -227,8 +237,17 @@ ResectionResult ResectRounds(const SyntheticView& synthetic, PoseAndShape at,
   return result;
 }
 
+struct RecoveryBound {
+  std::string category;
+  int rounds;
+  double pose;   // metres and radians
+  double shape;  // standard deviations, the largest error of a coefficient
+};
+
+// Twice what is reached. A table's last mode hardly moves the lines of this view: it comes in slowly.
 TEST(Resection, RecoversPoseAndShapeFromPerfectLines) {
-  for (const char* category : {"chair", "table"}) {
+  for (const auto& [category, rounds, pose, shape] :
+       {RecoveryBound{"chair", 12, 3e-5, 5e-5}, {"table", 144, 5e-3, 0.08}}) {
     const SyntheticView synthetic(category, 0.6, {0.1, 0.2, 2.8}, Eigen::Vector2d(0.8, -0.6));
     PoseAndShape start = synthetic.truth;
     start.coefficients.setZero();
@@ -237,9 +256,13 @@ TEST(Resection, RecoversPoseAndShapeFromPerfectLines) {
     ResectionOptions options;
     options.max_iterations = 30;
     options.shape_weight = 0.01;  // hardly a prior: the lines and the box decide
-    const ResectionResult result = ResectRounds(synthetic, start, options);
+    const ResectionResult result = ResectRounds(synthetic, start, options, rounds);
     EXPECT_TRUE(result.finite);
-    EXPECT_LT(PoseError(result.estimate, synthetic.truth), 0.25 * PoseError(start, synthetic.truth))
+    EXPECT_LT(PoseError(result.estimate, synthetic.truth), pose) << category;
+    EXPECT_LT((result.estimate.coefficients - synthetic.truth.coefficients).cwiseAbs().maxCoeff(), shape)
+        << category;
+    // Nothing is left but the prior's cost of the true shape.
+    EXPECT_NEAR(result.cost, 0.5 * 0.01 * 0.01 * synthetic.truth.coefficients.squaredNorm(), 5e-7)
         << category;
   }
 }

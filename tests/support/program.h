@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The program as its users start it.
+// The program as its users run it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,12 +31,37 @@ inline std::string ShellQuoted(const std::string& text) {
   return quoted;
 }
 
-inline ProgramResult RunProgram(const std::vector<std::string>& arguments) {
-  const TempFolder folder;
+// Starts the program itself and returns what waitpid tells of it.
+inline int StartProgram(const std::vector<std::string>& arguments, const std::string& out,
+                        const std::string& err) {
   std::string command = ShellQuoted(ARMATURE_PROGRAM);
   for (const std::string& argument : arguments) command.append(" ").append(ShellQuoted(argument));
-  command.append(" </dev/null >").append(folder / "out").append(" 2>").append(folder / "err");
-  const int status = std::system(command.c_str());
+  command.append(" </dev/null >").append(out).append(" 2>").append(err);
+  return std::system(command.c_str());
+}
+
+// The same in a fork of the test program, where it has support/program_server.cc.
+inline std::function<int(const std::vector<std::string>& arguments, const std::string& out,
+                         const std::string& err)>
+    program_server;
+
+// While it lives, every run is a start: for what depends on the program's own file or on the environment as
+// libraries read it when they are loaded.
+class StartedAnew {
+ public:
+  StartedAnew() { program_server.swap(server_); }
+  ~StartedAnew() { program_server.swap(server_); }
+  StartedAnew(const StartedAnew&) = delete;
+  StartedAnew& operator=(const StartedAnew&) = delete;
+
+ private:
+  decltype(program_server) server_;
+};
+
+inline ProgramResult RunProgram(const std::vector<std::string>& arguments) {
+  const TempFolder folder;
+  const auto run = program_server ? program_server : StartProgram;
+  const int status = run(arguments, folder / "out", folder / "err");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadFile(folder / "out"), ReadFile(folder / "err")};
 }
 

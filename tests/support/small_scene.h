@@ -2,6 +2,7 @@
 // A scene that takes a second to generate: a table and a laptop in a closet, in small pictures.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "support/program.h"
@@ -30,7 +31,7 @@ path:
 detections: {missed: 0, false_alarms: 0, min_visible: 0.1, min_size_px: 5}
 )";
 
-// The first `frames` pictures of the small scene, into FOLDER/den.
+// The first `frames` pictures of the small scene, into FOLDER/out/den.
 inline ProgramResult GenerateSmallScene(const TempFolder& folder, int frames,
                                         const std::vector<std::string>& more = {}) {
   const std::string file = folder.Write("den_scene.yaml", kSmallScene);
@@ -38,6 +39,14 @@ inline ProgramResult GenerateSmallScene(const TempFolder& folder, int frames,
                                         "--out",    folder / "out", "--frames", std::to_string(frames)};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return RunOk(arguments);
+}
+
+// The same into FOLDER/out/den, for tests that only use it: generated once for all tests of a program.
+inline void CopySmallScene(const TempFolder& folder, int frames) {
+  static std::map<int, TempFolder> scenes;
+  const auto [scene, is_new] = scenes.try_emplace(frames);
+  if (is_new) GenerateSmallScene(scene->second, frames);
+  std::filesystem::copy(scene->second / "out", folder / "out", std::filesystem::copy_options::recursive);
 }
 
 }  // namespace armature::testing
