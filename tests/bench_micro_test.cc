@@ -128,9 +128,9 @@ TEST(MicroResection, ComesBackToTheTruth) {
   for (const char* mode : {"joint", "alternating"}) {
     ResectionOptions options = setup.resection;
     options.mode = mode;
-    const ResectionResult result = Resect(micro.view, micro.view.sides, matches, micro.Project(start), start,
-                                          setup.association.box, options);
-    EXPECT_TRUE(result.finite);
+    const ResectionResult result = Resect(
+        {micro.view, micro.view.sides, matches, micro.Project(start), start, setup.association.box, options});
+    EXPECT_TRUE(result.finite());
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()),
               0.5 * TurnFromTruth(micro, start.T_camera_object.linear()))
         << mode;
@@ -141,8 +141,7 @@ TEST(MicroResection, EstimatesTheObjects) {
   const MicroSetup setup = SmallSetup();
   for (const CategoryModel& model : setup.models) {
     const MicroView micro(model, 60, setup.association.box);
-    EstimatorTimes times;
-    const SingleViewResult result = EstimateObject(micro.view, setup.association, setup.resection, times);
+    const SingleViewResult result = EstimateObject(micro.view, setup.association, setup.resection);
     EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << model.spec.name;
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()), 0.1) << model.spec.name;
   }

@@ -104,7 +104,7 @@ ResectionResult ResectKeypoints(const ObjectView& view, const std::vector<ShapeP
     const int iterations = result.iterations;
     result = ResectFrom(problem, result.estimate.coefficients, options);
     result.iterations += iterations;
-    if (!result.finite) break;
+    if (!result.finite()) break;
   }
   return result;
 }

@@ -22,7 +22,7 @@ Contender ResectContender(const std::string& name, const CategoryModel& model, c
       name, kSolves,
       [micro, start, matches, resection, projected = micro->Project(start), box = setup.association.box] {
         for (int i = 0; i < kSolves; ++i)
-          Resect(micro->view, micro->view.sides, matches, projected, start, box, resection);
+          Resect({micro->view, micro->view.sides, matches, projected, start, box, resection});
       });
 }
 
@@ -42,8 +42,7 @@ Contender AlternatingContender(const std::string& name, const CategoryModel& mod
 Contender ObjectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
   return MicroContender(name, 1, [micro, association = setup.association, resection = setup.resection] {
-    EstimatorTimes times;
-    EstimateObject(micro->view, association, resection, times);
+    EstimateObject(micro->view, association, resection);
   });
 }
 

@@ -41,7 +41,7 @@ void CheckModels(const fs::path& run, const std::vector<PlacedObject>& objects,
   std::map<std::string, StoredEvidence> evidence;
   if (fs::exists(evidence_file)) evidence = ReadShapeEvidence(evidence_file);
   for (const PlacedObject& object : objects) {
-    const CategoryModel* model = FindCategory(models, object.category);
+    const CategoryModel* model = FindModel(models, object.category);
     const auto known = evidence.find(object.id);
     if (model == nullptr || static_cast<int>(object.shape.size()) != model->modes() ||
         (known != evidence.end() && known->second.model_checksum != ModelChecksum(*model))) {
@@ -129,12 +129,6 @@ std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::ve
   }
   for (SequenceRuns& sequence : sequences) sequence.up = FindUp(sequence);
   return sequences;
-}
-
-const CategoryModel* FindCategory(const std::vector<CategoryModel>& models, const std::string& category) {
-  const auto found = std::find_if(models.begin(), models.end(),
-                                  [&](const CategoryModel& model) { return model.spec.name == category; });
-  return found == models.end() ? nullptr : &*found;
 }
 
 const TimedPose* CameraAt(const ShownMap& map, double timestamp) {

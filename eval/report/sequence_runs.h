@@ -42,9 +42,6 @@ struct SequenceRuns {
 // a malformed file, a run of other category models.
 std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::vector<std::string>& remarks);
 
-// Null: there is none of this category.
-const CategoryModel* FindCategory(const std::vector<CategoryModel>& models, const std::string& category);
-
 // The camera at the time; null: there is none within kStampTolerance.
 const TimedPose* CameraAt(const ShownMap& map, double timestamp);
 

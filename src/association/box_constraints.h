@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a detection's box says about translation (paper 3.3.1, eqs. computing_Tz, _Tx, _Ty).
+// What a detection's box says about translation (paper 3.3.1, eqs. 7-9).
 //
 // The paper divides constants k_x, k_y by the box's width and height. The width depends on the azimuth, boxes
 // are cut by the image's border and shrunk by occluders; so we use the corners of the projected hypothesis
@@ -63,7 +63,7 @@ std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double 
 // ellipsoid with the category's padding as half axes.
 Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_camera_object);
 
-// The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
+// The paper's eqs. 7-9 from the wireframe's extents seen under R at unit distance.
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
                                    const Eigen::Matrix3d& R);
 

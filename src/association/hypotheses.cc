@@ -118,7 +118,7 @@ void AddLineHypotheses(const ObjectView& view, const Turned& turned, const BoxOp
 
 void AddMemoryHypotheses(const ObjectView& view, const std::vector<BoxSides>& variants,
                          std::vector<Hypothesis>& hypotheses) {
-  const PoseAndShape& expected = view.memory->expected;
+  const PoseAndShape& expected = view.track_prior->expected;
   const Eigen::Isometry3d& T = expected.T_camera_object;
   const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
   for (const BoxSides& sides : variants) hypotheses.push_back({expected, -1, sides, azimuth});
@@ -148,7 +148,7 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const std::vector
   std::vector<Hypothesis> hypotheses;
   const std::vector<BoxSides> variants = SideVariants(view, options);
   const bool seeds_from_lines = options.line_seeds.enabled && NeedsLineSeeds(view);
-  if (view.memory) AddMemoryHypotheses(view, variants, hypotheses);
+  if (view.track_prior) AddMemoryHypotheses(view, variants, hypotheses);
   for (const double azimuth : CandidateAzimuths(view, options)) {
     for (const Eigen::Matrix3d& R : Rotations(view, azimuth, options)) {
       for (size_t d = 0; d < dictionary.size(); ++d) {

@@ -55,15 +55,15 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
                    options.azimuth_outliers * 0.1);
 }
 
-double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
-  const TrackPrior& memory = *view.memory;
+double TrackPriorCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
+  const TrackPrior& prior = *view.track_prior;
   const Eigen::Matrix3d R = at.T_camera_object.linear();
-  const MemoryVector difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
-  const MemoryVector push = memory.information * difference;
+  const TrackPriorVector difference = prior.Difference(R, at.T_camera_object.translation(), at.coefficients);
+  const TrackPriorVector push = prior.information * difference;
   const double sigmas = std::sqrt(difference.dot(push));
-  const double yaw = std::atan2(R.col(2).dot(memory.yaw_quarter), R.col(2).dot(memory.yaw_zero));
+  const double yaw = std::atan2(R.col(2).dot(prior.yaw_quarter), R.col(2).dot(prior.yaw_zero));
   return options.memory_weight * GemanMcClure(sigmas, options.memory_loss_scale) +
-         std::min(options.yaw_memory_cap, options.azimuth_weight * memory.belief.At(yaw));
+         std::min(options.yaw_memory_cap, options.azimuth_weight * prior.belief.At(yaw));
 }
 
 double ShapeCost(const PoseAndShape& at, const CostOptions& options) {
@@ -91,7 +91,7 @@ double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wir
   return options.box_weight *
              BoxCost(view, estimate.T_camera_object.linear(), sides, projected, box_options, options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
-         (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
+         (view.track_prior ? TrackPriorCost(view, estimate, options) : ShapeCost(estimate, options)) +
          options.floor_weight * FloorCost(view, estimate.T_camera_object, wireframe) +
          HiddenCost(view, sides);
 }

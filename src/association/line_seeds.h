@@ -4,7 +4,7 @@
 // A box that the image cuts on two or three sides, or whose object is half hidden, does not tell where the
 // object is. With the rotation given, a segment on an edge does: its plane through the camera, normal N,
 // holds the edge,
-//   N . (R M + T) = 0   (paper eq. normal_constraint2),
+//   N . (R M + T) = 0   (paper eq. 17),
 // one linear equation in T. Two edges and the floor, on which the object's lowest point lies, make three.
 #pragma once
 

@@ -80,7 +80,7 @@ std::optional<ObjectFactor> MakeFactor(const MapObservation& observation, const 
                    ClipBox(view.detection.box, sides, *view.camera), occluders, projected);
   const std::vector<EdgeMatch> matches = MatchSegments(projected, view.segments, gate).matches;
   if (MatchedEdges(matches) < options.min_edges) return std::nullopt;
-  const ImageEvidence evidence = EvidenceAt(view, sides, matches, projected, object.at, box, resection);
+  const ImageEvidence evidence = EvidenceAt({view, sides, matches, projected, object.at, box, resection});
   return MakeObjectFactor(evidence, object.at, 0, options.noise);
 }
 

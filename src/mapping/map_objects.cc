@@ -49,7 +49,7 @@ ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object, c
   const double turned = AzimuthDifference(yaw, 0, object.model->spec.symmetry_order);
   ObjectFactor factor =
       MakeObjectFactor(view.observation->evidence, view.observation->measured, turned - yaw, noise);
-  if (std::abs(turned) > kFlipped) ForgetRotation(factor);
+  if (std::abs(turned) > kFlipped) MarginalizeRotation(factor);
   factor.camera = view.camera;
   return factor;
 }

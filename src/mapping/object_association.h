@@ -23,7 +23,7 @@ struct ObjectAssociationOptions {
   double box_overlap = 0.3;   // intersection over union of a detection's box and an object's projection
 };
 
-struct Join {
+struct Merge {
   int kept = 0, joined = 0;  // objects
   double turn = 0;       // radians: the joined object's own front is turned by this against the kept one's
   bool flipped = false;  // fronts disagree though neither is symmetric
@@ -34,11 +34,11 @@ struct Join {
 // were seen together. Where every pair has rivals, the best pair and its rivals; which one it is, the
 // odometry may tell. `seconds_between` limits it to pairs seen within that time of each other (without loop
 // closure); none: no limit.
-std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                            std::optional<double> seconds_between, const ObjectAssociationOptions& options);
+std::vector<Merge> FindMerges(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                              std::optional<double> seconds_between, const ObjectAssociationOptions& options);
 
 // Makes one object of two: observations, factors, phi; later objects move up.
-void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi);
+void ApplyMerge(const Merge& merge, MapGraph& graph, ObjectOfObservation& phi);
 
 // Takes objects without any observation out of graph and phi; later objects move up.
 void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);

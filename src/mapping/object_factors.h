@@ -23,7 +23,7 @@ ObjectFactor MakeObjectFactor(const ImageEvidence& evidence, const PoseAndShape&
                               const FactorNoise& noise);
 
 // Leaves it to others how the object is turned: for observations that see its front where its back is.
-void ForgetRotation(ObjectFactor& factor);
+void MarginalizeRotation(ObjectFactor& factor);
 
 // The residual A d + b with the object seen at the pose and shape.
 Eigen::VectorXd Residual(const ObjectFactor& factor, const PoseAndShape& seen);

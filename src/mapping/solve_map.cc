@@ -27,9 +27,9 @@ MapSolution SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options)
   return solution;
 }
 
-// Of joins that exclude each other, makes the one that costs the solved graph least: a wrong one bends the
+// Of merges that exclude each other, makes the one that costs the solved graph least: a wrong one bends the
 // odometry more, or its views disagree. A loop that closes moves the cameras.
-void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, MapGraph& graph,
+void MakeBest(const std::vector<Merge>& merges, const MapSolverOptions& options, MapGraph& graph,
               ObjectOfObservation& phi) {
   struct Outcome {
     MapGraph graph;
@@ -37,9 +37,9 @@ void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, M
     double cost = 0;
   };
   std::optional<Outcome> best;
-  for (const Join& join : joins) {
+  for (const Merge& merge : merges) {
     Outcome outcome{graph, phi};
-    Apply(join, outcome.graph, outcome.phi);
+    ApplyMerge(merge, outcome.graph, outcome.phi);
     outcome.cost = SolveWithScaleHeld(outcome.graph, options).final_cost;
     if (!best || outcome.cost < best->cost) best = std::move(outcome);
   }
@@ -47,23 +47,24 @@ void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, M
   phi = std::move(best->phi);
 }
 
-void JoinWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
-                      ObjectOfObservation& phi) {
+void MergeWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                       ObjectOfObservation& phi) {
   SolveWithScaleHeld(graph, options.solver);
-  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), options.association); };
-  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) {
-    MakeBest(joins, options.solver, graph, phi);
+  const auto find = [&] { return FindMerges(graph, frames, SecondsBetween(options), options.association); };
+  for (std::vector<Merge> merges = find(); !merges.empty(); merges = find()) {
+    MakeBest(merges, options.solver, graph, phi);
   }
 }
 
 // Once factors are linearised at the map's poses and not at their own optima, only what lies in one place is
 // joined.
-void JoinOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
-                     ObjectOfObservation& phi) {
+void MergeOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                      ObjectOfObservation& phi) {
   ObjectAssociationOptions only_overlap = options.association;
   only_overlap.gate = 0;
-  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), only_overlap); };
-  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) Apply(joins.front(), graph, phi);
+  const auto find = [&] { return FindMerges(graph, frames, SecondsBetween(options), only_overlap); };
+  for (std::vector<Merge> merges = find(); !merges.empty(); merges = find())
+    ApplyMerge(merges.front(), graph, phi);
 }
 
 void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
@@ -71,7 +72,7 @@ void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const Re
   MapSolverOptions solver = options.solver;
   solver.max_iterations = options.refinement.iterations;
   for (int round = 0; round < options.refinement.rounds; ++round) {
-    JoinOverlapping(frames, options, graph, phi);
+    MergeOverlapping(frames, options, graph, phi);
     phi = AssociateDetections(graph, frames, phi, SecondsBetween(options), options.association);
     Relinearise(frames, phi, round, box, resection, options.refinement, graph);
     DropUnseen(graph, phi);
@@ -161,7 +162,7 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
       MakeOdometryGraph(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
   AddObjects(frames, phi, options.view_noise, graph);
-  JoinWhileSolving(frames, options, graph, phi);
+  MergeWhileSolving(frames, options, graph, phi);
   Refine(frames, box, resection, options, graph, phi);
   return ToMap(frames, graph, phi, options);
 }

@@ -3,6 +3,7 @@
 // one object, the factor graph, and the joint refinement over all frames' lines.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,8 +47,9 @@ struct MapObject {
 };
 
 struct Map {
-  std::vector<double> timestamps;                 // seconds, one a camera
-  std::vector<Eigen::Isometry3d> T_world_camera;  // metres; the world is the odometry's frame
+  std::vector<std::shared_ptr<const CategoryModel>> models;  // that `objects` point into, kept alive
+  std::vector<double> timestamps;                            // seconds, one a camera
+  std::vector<Eigen::Isometry3d> T_world_camera;             // metres; the world is the odometry's frame
   std::vector<MapObject> objects;
   ObjectOfObservation phi;            // indices into `objects`
   std::vector<double> log_scale;      // of metres a unit of odometry, at the knots

@@ -36,7 +36,9 @@ struct Candidate {
   double cost = 0;
   std::vector<EdgeMatch> matches;
   int iterations = 0;
-  bool finite = true;
+  StopReason stop = StopReason::kMaxIterations;
+
+  bool finite() const { return stop != StopReason::kNotFinite; }
 };
 
 double PrintedCost(const ObjectView& view, const PoseAndShape& at, const Wireframe& wireframe,
@@ -69,7 +71,8 @@ struct Ranked {
 std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& dictionary,
                          const std::vector<Hypothesis>& hypotheses, const AssociationOptions& options) {
   const Wireframe remembered =
-      view.memory ? WireframeFromCoefficients(*view.model, view.memory->expected.coefficients) : Wireframe{};
+      view.track_prior ? WireframeFromCoefficients(*view.model, view.track_prior->expected.coefficients)
+                       : Wireframe{};
   const MatchGate gate = ShrinkGate(view, options, 0);
   ProjectedWireframe scratch;
   std::vector<Ranked> ranking;
@@ -130,7 +133,7 @@ std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWirefram
 // One round of association and resection.
 void RefineOnce(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
                 int round, Candidate& candidate, EstimatorTimes& times) {
-  if (!candidate.finite) return;
+  if (!candidate.finite()) return;
   ProjectedWireframe projected;
   const BoxSides& sides = candidate.hypothesis.sides;
   const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
@@ -141,15 +144,15 @@ void RefineOnce(const ObjectView& view, const AssociationOptions& options, const
   }
   const StageClock clock(times.optimization_ms);
   const ResectionResult result =
-      Resect(view, sides, candidate.matches, projected, candidate.estimate, options.box, resection);
+      Resect({view, sides, candidate.matches, projected, candidate.estimate, options.box, resection});
   candidate.iterations += result.iterations;
-  candidate.finite = result.finite;
-  if (result.finite) candidate.estimate = result.estimate;
+  candidate.stop = result.stop;
+  if (result.finite()) candidate.estimate = result.estimate;
 }
 
 // The matches and the cost of where the rounds have led.
-void Conclude(const ObjectView& view, const AssociationOptions& options, Candidate& candidate,
-              EstimatorTimes& times) {
+void Score(const ObjectView& view, const AssociationOptions& options, Candidate& candidate,
+           EstimatorTimes& times) {
   const StageClock clock(times.association_ms);
   ProjectedWireframe projected;
   const BoxSides& sides = candidate.hypothesis.sides;
@@ -167,11 +170,11 @@ void Conclude(const ObjectView& view, const AssociationOptions& options, Candida
 }
 
 // Whether two candidates are on the way to the same place.
-bool HaveMet(const Candidate& a, const Candidate& b) {
+bool HaveConverged(const Candidate& a, const Candidate& b) {
   constexpr double kDistance = 0.01;  // share of the distance from the camera
   constexpr double kTurn = 1 * kDegree;
   constexpr double kShape = 0.3;  // standard deviations
-  if (!a.finite || !b.finite || a.hypothesis.sides != b.hypothesis.sides) return false;
+  if (!a.finite() || !b.finite() || a.hypothesis.sides != b.hypothesis.sides) return false;
   const Eigen::Isometry3d &A = a.estimate.T_camera_object, &B = b.estimate.T_camera_object;
   if ((A.translation() - B.translation()).norm() > kDistance * A.translation().norm()) return false;
   if ((a.estimate.coefficients - b.estimate.coefficients).norm() > kShape) return false;
@@ -180,11 +183,11 @@ bool HaveMet(const Candidate& a, const Candidate& b) {
 }
 
 // Of candidates that have met the first, which was ranked better, goes on.
-void DropThoseThatMet(std::vector<Candidate>& candidates) {
+void DropConverged(std::vector<Candidate>& candidates) {
   std::vector<Candidate> kept;
   for (Candidate& candidate : candidates) {
     const bool met = std::any_of(kept.begin(), kept.end(),
-                                 [&](const Candidate& other) { return HaveMet(other, candidate); });
+                                 [&](const Candidate& other) { return HaveConverged(other, candidate); });
     if (!met) kept.push_back(std::move(candidate));
   }
   candidates = std::move(kept);
@@ -197,14 +200,15 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
     for (Candidate& candidate : candidates) {
       RefineOnce(view, options, resection, round, candidate, times);
     }
-    DropThoseThatMet(candidates);
+    DropConverged(candidates);
   }
-  for (Candidate& candidate : candidates) Conclude(view, options, candidate, times);
+  for (Candidate& candidate : candidates) Score(view, options, candidate, times);
 }
 
-EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
-                     const AssociationOptions& options) {
-  if (!candidate.finite || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
+EstimateStatus Validate(const ObjectView& view, const Candidate& candidate,
+                        const ProjectedWireframe& projected, const AssociationOptions& options) {
+  if (!candidate.finite() ||
+      candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
     return EstimateStatus::kDiverged;
   }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
@@ -221,14 +225,14 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
                  const ResectionOptions& resection, EstimatorTimes& times) {
   if (view.model->spec.symmetry_order > 1) return false;
   ObjectView without_priors = view;
-  without_priors.memory.reset();
+  without_priors.track_prior.reset();
   without_priors.detection.azimuth.reset();
   std::vector<Candidate> turned = {best};
   turned.front().estimate.T_camera_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
   Refine(without_priors, association, resection, turned, times);
-  if (!turned.front().finite) return false;
+  if (!turned.front().finite()) return false;
   std::vector<Candidate> as_is = {best};
-  Conclude(without_priors, association, as_is.front(), times);
+  Score(without_priors, association, as_is.front(), times);
   // Refining without the priors makes it better still: mostly the answer is known without.
   if (turned.front().cost > as_is.front().cost + association.ambiguity_margin) return false;
   Refine(without_priors, association, resection, as_is, times);
@@ -244,7 +248,7 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
 void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
              const ResectionOptions& resection, SingleViewResult& result) {
   ObjectView alone = view;
-  alone.memory.reset();
+  alone.track_prior.reset();
   alone.floor.reset();
   const BoxSides& sides = best.hypothesis.sides;
   ProjectedWireframe projected;
@@ -252,19 +256,40 @@ void Measure(const ObjectView& view, const Candidate& best, const AssociationOpt
   for (int round = 0; round < 2; ++round) {
     Project(alone, optimum, sides, projected);
     const ResectionResult resected =
-        Resect(alone, sides, best.matches, projected, optimum, association.box, resection);
-    if (!resected.finite) break;
+        Resect({alone, sides, best.matches, projected, optimum, association.box, resection});
+    if (!resected.finite()) break;
     optimum = resected.estimate;
   }
   Project(alone, optimum, sides, projected);
-  result.measured = MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
-  result.evidence = EvidenceAt(alone, sides, best.matches, projected, optimum, association.box, resection);
+  const ResectionInput input{alone, sides, best.matches, projected, optimum, association.box, resection};
+  result.measured = MeasurementAt(input);
+  result.evidence = EvidenceAt(input);
+}
+
+void Describe(const ObjectView& view, Candidate best, const AssociationOptions& association,
+              const ResectionOptions& resection, SingleViewResult& result) {
+  ProjectedWireframe projected;
+  Project(view, best.estimate, best.hypothesis.sides, projected);
+  result.initial = best.hypothesis.start;
+  ObjectEstimate& estimate = result.estimate;
+  estimate.T_camera_object = best.estimate.T_camera_object;
+  estimate.coefficients = best.estimate.coefficients;
+  estimate.status = Validate(view, best, projected, association);
+  estimate.covariance = PoseCovariance(
+      {view, best.hypothesis.sides, best.matches, projected, best.estimate, association.box, resection});
+  estimate.rms_pixels = RmsPixels(best.matches);
+  estimate.matches = std::move(best.matches);
+  estimate.cost = best.cost;
+  estimate.iterations = best.iterations;
+  estimate.stop = best.stop;
 }
 
 }  // namespace
 
 SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions& association,
-                                const ResectionOptions& resection, EstimatorTimes& times) {
+                                const ResectionOptions& resection) {
+  SingleViewResult result;
+  EstimatorTimes& times = result.times;
   std::vector<Candidate> candidates;
   {
     const StageClock clock(times.association_ms);
@@ -274,22 +299,12 @@ SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions
   const auto best = std::min_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
-  SingleViewResult result;
   result.estimate.ambiguous = IsAmbiguous(view, *best, association, resection, times);
-  const StageClock clock(times.optimization_ms);
-  ProjectedWireframe projected;
-  Project(view, best->estimate, best->hypothesis.sides, projected);
-  Measure(view, *best, association, resection, result);
-  result.initial = best->hypothesis.start;
-  result.estimate.T_camera_object = best->estimate.T_camera_object;
-  result.estimate.coefficients = best->estimate.coefficients;
-  result.estimate.status = Judge(view, *best, projected, association);
-  result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected,
-                                              best->estimate, association.box, resection);
-  result.estimate.rms_pixels = RmsPixels(best->matches);
-  result.estimate.matches = std::move(best->matches);
-  result.estimate.cost = best->cost;
-  result.estimate.iterations = best->iterations;
+  {
+    const StageClock clock(times.optimization_ms);
+    Measure(view, *best, association, resection, result);
+    Describe(view, std::move(*best), association, resection, result);
+  }
   return result;
 }
 

@@ -34,12 +34,7 @@ struct AssociationOptions {
   bool occlusion = true;        // objects already found in the image hide those behind them
 };
 
-struct EstimatorTimes {
-  double association_ms = 0;
-  double optimization_ms = 0;
-};
-
 SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions& association,
-                                const ResectionOptions& resection, EstimatorTimes& times);
+                                const ResectionOptions& resection);
 
 }  // namespace armature

@@ -133,17 +133,15 @@ void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProble
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 
-ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
-                             const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                             const PoseAndShape& start, const BoxOptions& box_options,
-                             const ResectionOptions& options) {
+ResectionProblem MakeProblem(const ResectionInput& input) {
+  const auto& [view, sides, matches, projected, at, box, options] = input;
   ResectionProblem problem;
   problem.camera = view.camera;
   problem.model = view.model;
-  problem.R0 = start.T_camera_object.linear();
-  problem.T0 = start.T_camera_object.translation();
+  problem.R0 = at.T_camera_object.linear();
+  problem.T0 = at.T_camera_object.translation();
   problem.shape_weight = options.shape_weight;
-  if (view.memory) problem.memory = &*view.memory;
+  if (view.track_prior) problem.track_prior = &*view.track_prior;
   if (view.up_camera) {
     problem.normal_term = NormalTermFromName(options.normal_term);
     problem.up_camera = *view.up_camera;
@@ -153,12 +151,12 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
   }
   problem.line_terms.reserve(2 * matches.size() + 4);
   AddMatches(matches, projected, options, problem);
-  AddBox(view, sides, projected, box_options, options, problem);
-  AddFloor(view, start, problem);
+  AddBox(view, sides, projected, box, options, problem);
+  AddFloor(view, at, problem);
   return problem;
 }
 
-// The paper's turns: pose with the shape held, then shape with the pose held.
+// The paper's turns: pose with the shape held (eq. 24), then shape with the pose held (eq. 25).
 SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& options, Eigen::VectorXd& x,
                               int alternations) {
   SolverResult result;
@@ -167,7 +165,7 @@ SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& op
       problem.pose_is_free = pose;
       problem.shape_is_free = !pose;
       const SolverResult half = SolveResectionWithCeres(problem, options, x);
-      result = {half.cost, result.iterations + half.iterations};
+      result = {half.cost, result.iterations + half.iterations, half.stop};
     }
   }
   return result;
@@ -206,41 +204,30 @@ ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coe
   ResectionResult result;
   result.iterations = solved.iterations;
   result.cost = solved.cost;
-  result.finite = x.allFinite();
+  result.stop = x.allFinite() ? solved.stop : StopReason::kNotFinite;
   result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
   result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
   result.estimate.coefficients = x.tail(problem.Modes());
   return result;
 }
 
-ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start,
-                       const BoxOptions& box_options, const ResectionOptions& options) {
-  ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
-  return ResectFrom(problem, start.coefficients, options);
+ResectionResult Resect(const ResectionInput& input) {
+  ResectionProblem problem = MakeProblem(input);
+  return ResectFrom(problem, input.at.coefficients, input.options);
 }
 
-Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches,
-                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
-                                           const BoxOptions& box_options, const ResectionOptions& options) {
-  const ResectionProblem problem =
-      MakeProblem(view, sides, matches, projected, estimate, box_options, options);
-  return Covariance(problem, estimate.coefficients).topLeftCorner<6, 6>();
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ResectionInput& input) {
+  return Covariance(MakeProblem(input), input.at.coefficients).topLeftCorner<6, 6>();
 }
 
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
-                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                          const PoseAndShape& optimum, const BoxOptions& box_options,
-                          const ResectionOptions& options) {
-  const ResectionProblem problem =
-      MakeProblem(view, sides, matches, projected, optimum, box_options, options);
-  return {optimum, Covariance(problem, optimum.coefficients), problem.shape_weight * problem.shape_weight};
+Measurement MeasurementAt(const ResectionInput& optimum) {
+  const ResectionProblem problem = MakeProblem(optimum);
+  return {optimum.at, Covariance(problem, optimum.at.coefficients),
+          problem.shape_weight * problem.shape_weight};
 }
 
-ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                         const ProjectedWireframe& projected, const PoseAndShape& at,
-                         const BoxOptions& box_options, const ResectionOptions& options) {
+ImageEvidence EvidenceAt(const ResectionInput& input) {
+  const auto& [view, sides, matches, projected, at, box, options] = input;
   ResectionProblem problem;
   problem.camera = view.camera;
   problem.model = view.model;
@@ -250,7 +237,7 @@ ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const st
   problem.shape_weight = 0;
   AddMatches(matches, projected, options, problem);
   AddLegEnds(matches, projected, options, problem);
-  AddBox(view, sides, projected, box_options, options, problem);
+  AddBox(view, sides, projected, box, options, problem);
   const Eigen::VectorXd x = UnknownsAt(problem, at.coefficients);
   const auto equations = Linearise<Eigen::Dynamic>(problem, x.data());
   return {equations.information, equations.gradient};

@@ -10,6 +10,7 @@
 #include "association/object_view.h"
 #include "resection/object_estimate.h"
 #include "resection/resection_problem.h"
+#include "resection/resection_solver.h"
 
 namespace armature {
 
@@ -30,28 +31,37 @@ struct ResectionOptions {
   double shape_weight = 0.7;         // multiplies the coefficients in the regulariser
 };
 
+// What resection looks at: the matches of one view about a pose and shape. It lives no longer than what it
+// refers to.
+struct ResectionInput {
+  const ObjectView& view;
+  const BoxSides& sides;
+  const std::vector<EdgeMatch>& matches;
+  const ProjectedWireframe& projected;  // of `at`
+  const PoseAndShape& at;
+  const BoxOptions& box;
+  const ResectionOptions& options;
+};
+
 struct ResectionResult {
   PoseAndShape estimate;
   double cost = 0;  // half the squared norm of the robust, whitened residuals
   int iterations = 0;
-  bool finite = true;
+  StopReason stop = StopReason::kMaxIterations;  // alternating: of the last half turn
+
+  bool finite() const { return stop != StopReason::kNotFinite; }
 };
 
 // The minimum of any such problem, from its own pose and the given shape, by the options' mode and solver.
 ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coefficients,
                            const ResectionOptions& options);
 
-// One round: matches and the box's extreme points stay as they are at `start` (`projected` is its
-// projection).
-ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start,
-                       const BoxOptions& box_options, const ResectionOptions& options);
+// One round, from `at`: matches and the box's extreme points stay as they are there. Eq. 16, or 24 and 25 by
+// turns.
+ResectionResult Resect(const ResectionInput& input);
 
-// Covariance of the pose (see ObjectEstimate) at the given estimate, shape marginalised.
-Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches,
-                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
-                                           const BoxOptions& box_options, const ResectionOptions& options);
+// Covariance of the pose (see ObjectEstimate) at the estimate, shape marginalised.
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ResectionInput& input);
 
 // What one image says about pose and shape, for filters over many images.
 struct Measurement {
@@ -63,20 +73,15 @@ struct Measurement {
   // with every image.
   double shape_prior_information = 0;
 };
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
-                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                          const PoseAndShape& optimum, const BoxOptions& box_options,
-                          const ResectionOptions& options);
+Measurement MeasurementAt(const ResectionInput& optimum);
 
-// The cost of this image's lines and box alone (no up, floor, memory or shape statistics) about a pose and
-// shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
+// The cost of this image's lines and box alone (no up, floor, track prior or shape statistics) about a pose
+// and shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
 // coefficients), 6 + B numbers, the rotation and translation as of ObjectEstimate::covariance.
 struct ImageEvidence {
   Eigen::MatrixXd information;  // (6+B) x (6+B), of Gauss and Newton: positive semi-definite
   Eigen::VectorXd gradient;     // 6+B
 };
-ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                         const ProjectedWireframe& projected, const PoseAndShape& at,
-                         const BoxOptions& box_options, const ResectionOptions& options);
+ImageEvidence EvidenceAt(const ResectionInput& input);
 
 }  // namespace armature

@@ -30,14 +30,12 @@ std::optional<FloorPrior> FloorHeight::Predict(double timestamp, std::optional<d
 // One step of a scalar Kalman filter with a robust gate. The floor was a prior of the estimate, so the
 // innovation is partly the prior's own; inflating the measurement's variance keeps the filter from believing
 // itself.
-void FloorHeight::Learn(const SingleViewResult& estimation, const CategoryModel& model,
-                        const Eigen::Vector3d& up_camera) {
+void FloorHeight::Update(const SingleViewResult& result, const CategoryModel& model,
+                         const Eigen::Vector3d& up_camera) {
   if (!options_.enabled || !model.spec.stands_on_floor) return;
-  const Wireframe wireframe = WireframeFromCoefficients(model, estimation.measured.estimate.coefficients);
-  const double measured =
-      CameraHeightAbove(wireframe, estimation.measured.estimate.T_camera_object, up_camera);
-  const double along_up =
-      up_camera.transpose() * estimation.measured.covariance.block<3, 3>(3, 3) * up_camera;
+  const Wireframe wireframe = WireframeFromCoefficients(model, result.measured.estimate.coefficients);
+  const double measured = CameraHeightAbove(wireframe, result.measured.estimate.T_camera_object, up_camera);
+  const double along_up = up_camera.transpose() * result.measured.covariance.block<3, 3>(3, 3) * up_camera;
   const double size = options_.size_sigma * std::abs(measured);
   const double sigma = 3 * std::sqrt(along_up + size * size);
   const double innovation = measured - height_;

@@ -35,8 +35,7 @@ class FloorHeight {
   std::optional<FloorPrior> Predict(double timestamp, std::optional<double> climb);
 
   // What an accepted estimate in that frame says; objects that do not stand on the floor say nothing.
-  void Learn(const SingleViewResult& estimation, const CategoryModel& model,
-             const Eigen::Vector3d& up_camera);
+  void Update(const SingleViewResult& result, const CategoryModel& model, const Eigen::Vector3d& up_camera);
 
  private:
   FloorOptions options_;

@@ -40,7 +40,7 @@ UpEstimator::FrameEvidence UpEstimator::Observe(const Camera& camera, const std:
   return evidence;
 }
 
-void UpEstimator::ReviseVotes(const std::vector<UpVote>& votes) {
+void UpEstimator::Update(const std::vector<UpVote>& votes) {
   if (window_.empty()) return;
   FrameEvidence& frame = window_.back();
   frame.votes = {{frame.R_odom_camera * Eigen::Vector3d(0, -1, 0), options_.level_sigma_deg * kDegree}};
@@ -108,14 +108,14 @@ UpEstimator::Refined UpEstimator::RefineFromPitches(const Eigen::Vector3d& rough
   return best;
 }
 
-UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>& segments,
-                               const std::vector<UpVote>& votes,
-                               const std::optional<Eigen::Isometry3d>& T_odom_camera) {
+UpEstimate UpEstimator::Predict(const Camera& camera, const std::vector<Segment>& segments,
+                                const std::vector<UpVote>& votes,
+                                const std::optional<Eigen::Isometry3d>& T_odom_camera) {
   if (!T_odom_camera) window_.clear();
   Eigen::Matrix3d R_odom_camera = Eigen::Matrix3d::Identity();
   if (T_odom_camera) R_odom_camera = T_odom_camera->linear();
   window_.push_back(Observe(camera, segments, R_odom_camera));
-  ReviseVotes(votes);
+  Update(votes);
   if (window_.size() > static_cast<size_t>(options_.window_frames)) window_.pop_front();
 
   const Eigen::Vector3d rough = RoughUp();

@@ -46,14 +46,15 @@ class UpEstimator {
  public:
   explicit UpEstimator(const UpOptions& options) : options_(options) {}
 
-  // `T_odom_camera` missing: what the earlier frames said cannot be used and is forgotten.
-  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments,
-                    const std::vector<UpVote>& votes, const std::optional<Eigen::Isometry3d>& T_odom_camera);
+  // Up in a new frame, before its objects are looked at. `T_odom_camera` missing: what the earlier frames
+  // said cannot be used and is forgotten.
+  UpEstimate Predict(const Camera& camera, const std::vector<Segment>& segments,
+                     const std::vector<UpVote>& votes, const std::optional<Eigen::Isometry3d>& T_odom_camera);
 
   // Replaces the last frame's votes: once an object's pose is known, so is the ray to its centre, which the
   // centre of a box that shows only part of the object is not (off by 10 degrees in elevation where furniture
   // hides furniture).
-  void ReviseVotes(const std::vector<UpVote>& votes);
+  void Update(const std::vector<UpVote>& votes);
 
  private:
   struct FrameEvidence {                         // all in the frame of the odometry, unit

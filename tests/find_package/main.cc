@@ -20,5 +20,5 @@ int main(int argc, char** argv) {
   std::vector<double> lengths;
   for (const ProjectedEdge& edge : projected.edges) lengths.push_back(edge.length);
   std::printf("%s: %d edges, the longest %.0f pixels\n", model.spec.name.c_str(), model.spec.edges(),
-              ComputeStatistics(lengths).value().max);
+              SummarizeErrors(lengths).value().max);
 }

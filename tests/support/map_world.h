@@ -134,8 +134,8 @@ class MapWorld {
     ProjectWireframe(camera, view.model->spec,
                      WireframeFromCoefficients(*view.model, observation.measured.coefficients),
                      observation.measured.T_camera_object, Image(), {}, projected);
-    observation.evidence = EvidenceAt(view, view.sides, matches, projected, observation.measured,
-                                      BoxOptions{}, ResectionOptions{});
+    observation.evidence = EvidenceAt(
+        {view, view.sides, matches, projected, observation.measured, BoxOptions{}, ResectionOptions{}});
     return observation;
   }
 
