@@ -33,8 +33,8 @@ TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
     const double true_azimuth = ViewpointFromRotation(truth.linear(), truth.translation()).azimuth;
     EXPECT_LT(std::abs(WrapAngle(azimuth - true_azimuth)), 4 * kDegree) << category;
     EXPECT_LT((T.translation() - truth.translation()).norm(), 0.08 * truth.translation().norm()) << category;
-    EXPECT_GT(times.association_ms, 0);
-    EXPECT_GT(times.optimization_ms, 0);
+    EXPECT_GT(result.times.association_ms, 0);
+    EXPECT_GT(result.times.optimization_ms, 0);
   }
 }
 

@@ -128,7 +128,7 @@ void Store(const Blocks& blocks, MapGraph& graph) {
   graph.up_world = blocks.up;
 }
 
-ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
+ceres::Solver::Options MakeSolverOptions(const MapSolverOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = 2 * options.max_iterations + 10;
@@ -194,7 +194,7 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   AddFactors(graph, options, blocks, problem);
   ceres::Solver::Summary summary;
   StopAfterSteps stop(options.max_iterations);
-  ceres::Solver::Options solver = SolverOptions(options);
+  ceres::Solver::Options solver = MakeSolverOptions(options);
   solver.callbacks.push_back(&stop);
   const OneThread one_thread;
   ceres::Solve(solver, &problem, &summary);

@@ -107,7 +107,9 @@ DetectedLines FramePipeline::DetectLines(const cv::Mat& gray, const std::vector<
 
 FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given) {
   const FrameInput input = options_.association.hypotheses.use_viewpoint ? given : WithoutViewpoints(given);
-  FrameResult frame{.timestamp = input.timestamp, .segments = std::move(lines.segments)};
+  FrameResult frame;
+  frame.timestamp = input.timestamp;
+  frame.segments = std::move(lines.segments);
   frame.times.lines = lines.milliseconds;
 
   // What is known before an object is looked at: up, the floor, and what its track remembers (3.3's priors).
