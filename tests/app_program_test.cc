@@ -63,7 +63,7 @@ TEST(AppPresets, SettingsComeAfterFilesAfterThePreset) {
   arguments.config = folder.Write("my.yaml", "association: {rounds: 3, refined_hypotheses: 3}\n");
   arguments.settings = {"association.rounds=2"};
   const Options options = LoadOptions(arguments);
-  EXPECT_EQ(options.association.cost, "printed");
+  EXPECT_EQ(options.association.cost, AssociationCost::kPrinted);
   EXPECT_EQ(options.association.refined_hypotheses, 3);
   EXPECT_EQ(options.association.rounds, 2);
 }

@@ -125,7 +125,7 @@ TEST(MicroResection, ComesBackToTheTruth) {
   const std::vector<EdgeMatch> matches = MicroMatches(micro, 14, setup.association);
   EXPECT_EQ(matches.size(), 14U);
   const PoseAndShape start = micro.NearTruth();
-  for (const char* mode : {"joint", "alternating"}) {
+  for (const ResectionMode mode : {ResectionMode::kJoint, ResectionMode::kAlternating}) {
     ResectionOptions options = setup.resection;
     options.mode = mode;
     const ResectionResult result = Resect(micro.view, micro.view.sides, matches, micro.Project(start), start,
@@ -133,7 +133,7 @@ TEST(MicroResection, ComesBackToTheTruth) {
     EXPECT_TRUE(result.finite);
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()),
               0.5 * TurnFromTruth(micro, start.T_camera_object.linear()))
-        << mode;
+        << ToName(mode);
   }
 }
 

@@ -409,7 +409,9 @@ TEST(PlaceByOdometry, PlacesAnObjectThatOnlyUnsureViewsShow) {
 
 // --- While frames come in
 
-ObjectMap EmptyMap(const MappingOptions& options) { return {options, BoxOptions{}, ResectionOptions{}}; }
+ObjectMap EmptyMap(const MappingOptions& options, bool odometry_is_metric = false) {
+  return {options, BoxOptions{}, ResectionOptions{}, odometry_is_metric};
+}
 
 TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
   MapWorld world;
@@ -449,12 +451,10 @@ TEST(ObjectMap, InTheEndItIsTheMapOfAllFrames) {
   ExpectSameBytes(map.Solve(kExpected), Solve(frames, kExpected, {}));
 }
 
-TEST(ObjectMap, ScaleNoneIsMetres) {
+TEST(ObjectMap, MetricOdometryHasNoScale) {
   MapWorld world;
   FurnishRoom(world);
-  MappingOptions options;
-  options.scale = "none";
-  ObjectMap map = EmptyMap(options);
+  ObjectMap map = EmptyMap({}, true);
   for (const MapFrame& frame : world.Frames({.unit = 1.1})) map.Add(frame, kExpected);
   EXPECT_EQ(map.current().MeanScale(), 1);
   EXPECT_EQ(map.Solve(kExpected).MeanScale(), 1);

@@ -73,13 +73,13 @@ TEST(ObjectEstimator, NoSegmentsAreTooFewEdges) {
 TEST(ObjectEstimator, ThePrintedVariantRuns) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
   AssociationOptions association;
-  association.cost = "printed";
+  association.cost = AssociationCost::kPrinted;
   association.hypotheses.printed_translation = true;
   association.refined_hypotheses = 1;
   association.rounds = 1;
   ResectionOptions resection;
-  resection.mode = "alternating";
-  resection.normal_term = "printed";
+  resection.mode = ResectionMode::kAlternating;
+  resection.normal_term = NormalTerm::kPrinted;
   EstimatorTimes times;
   const SingleViewResult result = EstimateObject(synthetic.view, association, resection, times);
   EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());

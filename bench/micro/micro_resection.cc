@@ -28,13 +28,13 @@ Contender ResectContender(const std::string& name, const CategoryModel& model, c
 
 Contender JointContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions joint = setup.resection;
-  joint.mode = "joint";
+  joint.mode = ResectionMode::kJoint;
   return ResectContender(name, model, setup, joint);
 }
 
 Contender AlternatingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions alternating = setup.resection;
-  alternating.mode = "alternating";
+  alternating.mode = ResectionMode::kAlternating;
   alternating.alternations = kAlternations;
   return ResectContender(name, model, setup, alternating);
 }

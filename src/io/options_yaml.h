@@ -13,7 +13,7 @@ namespace armature {
 
 // Sets the options that the file names; the file is nested maps ("association: {detector: lsd}") and may be
 // partial. Throws InputError naming file and line for an unknown key (and the nearest known one), a value of
-// another type, a number out of its range (both values are printed) or a text that is not among the choices.
+// another type, a number out of its range (both values are printed) or a name that is none of the value's.
 // Options before the bad one remain set.
 void ApplyYaml(const std::filesystem::path& file, const std::vector<OptionEntry>& entries);
 

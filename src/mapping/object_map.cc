@@ -7,7 +7,7 @@
 namespace armature {
 
 ScaleEstimate ObjectMap::Expected(const ScaleEstimate& learnt) const {
-  return options_.scale == "none" ? ScaleEstimate{1, 0} : learnt;
+  return odometry_is_metric_ ? ScaleEstimate{1, 0} : learnt;
 }
 
 void ObjectMap::Add(MapFrame frame, const ScaleEstimate& expected_scale) {

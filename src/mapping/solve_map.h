@@ -18,8 +18,7 @@
 namespace armature {
 
 struct MappingOptions {
-  std::string scale = "objects";  // "objects": of the odometry, from the objects; "none": it is in metres
-  int min_observations = 4;       // frames that agree before an object is kept
+  int min_observations = 4;   // frames that agree before an object is kept
   bool loop_closure = true;   // objects seen again later are the same objects; else only those seen recently
   double recent_seconds = 3;  // what recently means
   int first_solve = 30;       // frames after which the map is solved for the first time while frames come in,

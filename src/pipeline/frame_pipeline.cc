@@ -31,7 +31,7 @@ void ForgetViewpoints(std::vector<Detection>& detections) {
 }  // namespace
 
 FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                             std::optional<Eigen::Vector3d> up_odom)
+                             std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric)
     : options_(std::move(options)),
       camera_(camera),
       categories_(std::move(categories)),
@@ -40,7 +40,7 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       up_estimator_(options_.up),
       floor_(options_.floor),
       tracks_(options_.tracks),
-      map_(options_.mapping, options_.association.box, options_.resection) {}
+      map_(options_.mapping, options_.association.box, options_.resection, odometry_is_metric) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
   return Process(DetectLines(gray, input.detections), input);
@@ -194,9 +194,9 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
 }
 
 UpEstimate FramePipeline::EstimateUp(const FrameInput& input, const std::vector<Segment>& segments) {
-  if (options_.up.source == "level")
+  if (options_.up.source == UpSource::kLevel)
     return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
-  if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
+  if (options_.up.source == UpSource::kAuto && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
   std::vector<UpVote> votes;

@@ -33,9 +33,10 @@ struct DetectedLines {
 
 class FramePipeline {
  public:
-  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one.
+  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one. `odometry_is_metric`:
+  // its unit is the metre; otherwise the objects tell its scale.
   FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                std::optional<Eigen::Vector3d> up_odom);
+                std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric = false);
 
   // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the
   // categories.

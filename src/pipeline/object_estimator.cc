@@ -78,9 +78,10 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
     const int index = hypotheses[i].dictionary_index;
     const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
     const std::optional<double> cost =
-        options.cost == "printed" ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
-                                  : CoverageCost(view, hypotheses[i], wireframe, gate,
-                                                 best + options.prune_margin, options, scratch);
+        options.cost == AssociationCost::kPrinted
+            ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
+            : CoverageCost(view, hypotheses[i], wireframe, gate, best + options.prune_margin, options,
+                           scratch);
     if (!cost) continue;
     best = std::min(best, *cost);
     ranking.push_back({*cost, i});
@@ -123,7 +124,8 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
 
 std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected,
                                  const MatchGate& gate, const AssociationOptions& options) {
-  if (options.cost == "printed") return AssociateAsPrinted(projected, view.segments, options.printed).matches;
+  if (options.cost == AssociationCost::kPrinted)
+    return AssociateAsPrinted(projected, view.segments, options.printed).matches;
   return MatchSegments(projected, view.segments, gate).matches;
 }
 
@@ -155,7 +157,7 @@ void Conclude(const ObjectView& view, const AssociationOptions& options, Candida
   const BoxSides& sides = candidate.hypothesis.sides;
   Project(view, candidate.estimate, sides, projected);
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
-  if (options.cost == "printed") {
+  if (options.cost == AssociationCost::kPrinted) {
     candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }

@@ -5,13 +5,25 @@
 #include "association/hypotheses.h"
 #include "association/hypothesis_cost.h"
 #include "association/printed_cost.h"
+#include "base/enum_names.h"
 #include "resection/line_resection.h"
 #include "resection/single_view_result.h"
 
 namespace armature {
 
+enum class AssociationCost {
+  kCoverage,  // what the lines leave unexplained, hypothesis_cost.h
+  kPrinted,   // the paper's C1 + k1 C2 + k2 C3
+};
+
+template <>
+struct EnumNames<AssociationCost> {
+  static constexpr NamedValue<AssociationCost> kTable[] = {{AssociationCost::kCoverage, "coverage"},
+                                                           {AssociationCost::kPrinted, "printed"}};
+};
+
 struct AssociationOptions {
-  std::string cost = "coverage";  // "coverage" or "printed", the paper's C1 + k1 C2 + k2 C3
+  AssociationCost cost = AssociationCost::kCoverage;
   PrintedCostOptions printed;
   CostOptions coverage;
   HypothesisOptions hypotheses;

@@ -5,7 +5,7 @@ namespace armature {
 namespace {
 
 void AddLineOptions(LineOptions& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option("association.detector", &o.detector, "line segment detector", LineDetectorNames()));
+  t.push_back(Option("association.detector", &o.detector, "line segment detector"));
   t.push_back(Option("lines.published", &o.published,
                      "the detector's published parameters, not those tuned for recall"));
   t.push_back(Option("lines.edgedrawing_scale", &o.edgedrawing_scale,
@@ -19,9 +19,8 @@ void AddLineOptions(LineOptions& o, std::vector<OptionEntry>& t) {
 }
 
 void AddUpOptions(UpOptions& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option("up.source", &o.source,
-                     "auto: the sequence's where given, else estimated; estimate; level",
-                     {"auto", "estimate", "level"}));
+  t.push_back(
+      Option("up.source", &o.source, "auto: the sequence's where given, else estimated; estimate; level"));
   t.push_back(Option("up.window_frames", &o.window_frames, "frames whose evidence is kept", 1, 10000));
   t.push_back(Option("up.segments_per_frame", &o.segments_per_frame, "longest segments that vote, each frame",
                      0, 10000));
@@ -107,8 +106,7 @@ void AddHypothesisOptions(HypothesisOptions& o, std::vector<OptionEntry>& t) {
 
 void AddCostOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
   CostOptions& c = o.coverage;
-  t.push_back(
-      Option("association.cost", &o.cost, "coverage, or the paper's printed cost", {"coverage", "printed"}));
+  t.push_back(Option("association.cost", &o.cost, "coverage, or the paper's printed cost"));
   t.push_back(Option("association.k1", &o.printed.k1, "weight of C2 in the printed cost", 0, 1000));
   t.push_back(Option("association.k2", &o.printed.k2, "weight of C3 in the printed cost", 0, 1000));
   t.push_back(Option("association.coverage_weight", &c.coverage_weight,
@@ -175,13 +173,10 @@ void AddAssociationOptions(AssociationOptions& o, std::vector<OptionEntry>& t) {
 }
 
 void AddResectionOptions(ResectionOptions& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option("resection.mode", &o.mode, "pose and shape jointly, or alternating as in the paper",
-                     {"joint", "alternating"}));
+  t.push_back(Option("resection.mode", &o.mode, "pose and shape jointly, or alternating as in the paper"));
   t.push_back(Option("resection.solver", &o.solver,
-                     "of mode joint: our own of fixed size, or the reference, ceres::TinySolver",
-                     {"small", "ceres"}));
-  t.push_back(Option("resection.normal_term", &o.normal_term, "what is kept upright",
-                     {"none", "axis", "base", "printed"}));
+                     "of mode joint: our own of fixed size, or the reference, ceres::TinySolver"));
+  t.push_back(Option("resection.normal_term", &o.normal_term, "what is kept upright"));
   t.push_back(Option("resection.max_iterations", &o.max_iterations, "of the optimiser, each round", 1, 1000));
   t.push_back(
       Option("resection.alternations", &o.alternations, "of pose and shape in mode alternating", 1, 100));
@@ -212,8 +207,6 @@ void AddNoiseOptions(const std::string& key, FactorNoise& o, std::vector<OptionE
 }
 
 void AddMappingOptions(MappingOptions& o, std::vector<OptionEntry>& t) {
-  t.push_back(Option("mapping.scale", &o.scale, "of the odometry: from the objects, or none: it is in metres",
-                     {"objects", "none"}));
   t.push_back(Option("mapping.first_solve", &o.first_solve, "frames after which the map is first solved", 1,
                      1000000));
   t.push_back(Option("mapping.solve_growth", &o.solve_growth,

@@ -14,13 +14,6 @@
 namespace armature {
 namespace {
 
-NormalTerm NormalTermFromName(const std::string& name) {
-  if (name == "axis") return NormalTerm::kAxis;
-  if (name == "base") return NormalTerm::kBase;
-  if (name == "printed") return NormalTerm::kPrinted;
-  return NormalTerm::kNone;
-}
-
 // The line through a segment in pixels, a^2 + b^2 = 1.
 Eigen::Vector3d LineThrough(const Segment& segment) {
   const Eigen::Vector2d d = (segment.p2 - segment.p1).normalized();
@@ -145,7 +138,7 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
   problem.shape_weight = options.shape_weight;
   if (view.memory) problem.memory = &*view.memory;
   if (view.up_camera) {
-    problem.normal_term = NormalTermFromName(options.normal_term);
+    problem.normal_term = options.normal_term;
     problem.up_camera = *view.up_camera;
     problem.up_weight = 1 / (options.up_sigma_deg * kDegree);
   } else {
@@ -175,8 +168,9 @@ SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& op
 
 SolverResult Solve(ResectionProblem& problem, const ResectionOptions& options, Eigen::VectorXd& x) {
   const SolverOptions solver{.max_iterations = options.max_iterations};
-  if (options.mode == "alternating") return SolveAlternating(problem, solver, x, options.alternations);
-  if (options.solver == "ceres") return SolveResectionWithCeres(problem, solver, x);
+  if (options.mode == ResectionMode::kAlternating)
+    return SolveAlternating(problem, solver, x, options.alternations);
+  if (options.solver == ResectionSolver::kCeres) return SolveResectionWithCeres(problem, solver, x);
   return SolveResection(problem, solver, x);
 }
 

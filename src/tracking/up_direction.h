@@ -8,13 +8,26 @@
 #include <vector>
 
 #include "association/detection.h"
+#include "base/enum_names.h"
 #include "geometry/camera.h"
 #include "geometry/segment.h"
 
 namespace armature {
 
+enum class UpSource {
+  kAuto,      // the sequence's where given, else estimated
+  kEstimate,  // from lines and viewpoints
+  kLevel,     // the camera's, as if it were level
+};
+
+template <>
+struct EnumNames<UpSource> {
+  static constexpr NamedValue<UpSource> kTable[] = {
+      {UpSource::kAuto, "auto"}, {UpSource::kEstimate, "estimate"}, {UpSource::kLevel, "level"}};
+};
+
 struct UpOptions {
-  std::string source = "auto";  // "auto": the sequence's where given, else estimated; "estimate"; "level"
+  UpSource source = UpSource::kAuto;
   int window_frames = 120;      // frames whose evidence is kept
   int segments_per_frame = 40;  // the longest
   double cone_deg = 20;         // degrees: a segment may be vertical if its plane holds a direction this near
