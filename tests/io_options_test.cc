@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/nearest_name.h"
+#include "io/option_value.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
@@ -136,14 +137,12 @@ TEST_F(OptionsTest, EffectiveYamlRestoresTheSameValues) {
   EXPECT_EQ(EffectiveYaml(table), EffectiveYaml(table_));
 }
 
-TEST_F(OptionsTest, HelpListsEveryOption) {
-  const std::string help = HelpText(table_);
-  for (const OptionEntry& entry : table_) {
-    EXPECT_NE(help.find(entry.key), std::string::npos);
-    EXPECT_NE(help.find(entry.help), std::string::npos);
-  }
-  EXPECT_NE(help.find("[0..90]"), std::string::npos);
-  EXPECT_NE(help.find("[lsd|edlines|fld]"), std::string::npos);
+TEST_F(OptionsTest, DomainsNameRangesAndChoices) {
+  EXPECT_EQ(OptionDomain(table_[0]), ">= 0");
+  EXPECT_EQ(OptionDomain(table_[1]), "0..90");
+  EXPECT_EQ(OptionDomain(table_[2]), "lsd|edlines|fld");
+  EXPECT_EQ(OptionDomain(table_[3]), "true|false");
+  EXPECT_EQ(OptionDomain(table_[4]), "number");
 }
 
 TEST(EnumNames, NamesAndValuesBelongTogether) {

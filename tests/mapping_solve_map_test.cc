@@ -416,9 +416,7 @@ ObjectMap EmptyMap(const MappingOptions& options, bool odometry_is_metric = fals
 TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
   MapWorld world;
   FurnishRoom(world);
-  MappingOptions options;
-  options.first_solve = 20;
-  ObjectMap map = EmptyMap(options);
+  ObjectMap map = EmptyMap({});
   const std::vector<MapFrame> frames = world.Frames(kNoise);
   for (size_t i = 0; i < frames.size(); ++i) {
     map.Add(frames[i], kExpected);
@@ -427,7 +425,7 @@ TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
     ASSERT_EQ(map.current().phi.size(), i + 1);
     EXPECT_EQ(map.current().phi[i].size(), frames[i].observations.size());
     EXPECT_EQ(map.current().timestamps[i], frames[i].timestamp);
-    EXPECT_EQ(map.current().objects.empty(), i + 1 < 20) << i;
+    EXPECT_EQ(map.current().objects.empty(), static_cast<int>(i) + 1 < kFirstSolve) << i;
   }
   ASSERT_EQ(map.current().objects.size(), 3u);
   EXPECT_GT(map.current().objects[0].observations, 30);  // it has been solved again since

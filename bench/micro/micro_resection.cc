@@ -15,7 +15,7 @@ constexpr int kAlternations = 5;
 
 Contender ResectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup,
                           const ResectionOptions& resection) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   const PoseAndShape start = micro->NearTruth();
   const std::vector<EdgeMatch> matches = MicroMatches(*micro, kMatchedLines, setup.association);
   return MicroContender(
@@ -40,7 +40,7 @@ Contender AlternatingContender(const std::string& name, const CategoryModel& mod
 }
 
 Contender ObjectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   return MicroContender(name, 1, [micro, association = setup.association, resection = setup.resection] {
     EstimatorTimes times;
     EstimateObject(micro->view, association, resection, times);

@@ -27,7 +27,4 @@ void CheckOptions(const std::vector<OptionEntry>& entries);
 // values exactly.
 std::string EffectiveYaml(const std::vector<OptionEntry>& entries);
 
-// A line an option: key, value, range or choices, help.
-std::string HelpText(const std::vector<OptionEntry>& entries);
-
 }  // namespace armature

@@ -8,8 +8,10 @@
 
 namespace armature {
 
+inline constexpr int kFirstSolve = 30;  // frames after which the map is solved for the first time
+
 // The factor graph is solved anew now and then, at a fixed cost a frame on average: whenever the frames have
-// become so many times more (solve_growth). Between two solutions the cameras follow the odometry.
+// become so many times more. Between two solutions the cameras follow the odometry.
 class ObjectMap {
  public:
   // `odometry_is_metric`: its unit is the metre; otherwise the objects tell its scale.

@@ -37,7 +37,6 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       categories_(std::move(categories)),
       up_odom_(up_odom),
       detector_(MakeLineDetector(options_.lines)),
-      up_estimator_(options_.up),
       floor_(options_.floor),
       tracks_(options_.tracks),
       map_(options_.mapping, options_.association.box, options_.resection, odometry_is_metric) {}
@@ -134,7 +133,7 @@ void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<Obje
     const int track = std::exchange(tracks[i], -1);
     const ObjectEstimate& estimate = estimations[i].estimate;
     if (estimate.status != EstimateStatus::kOk) continue;
-    if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
+    if (MatchedEdges(estimate.matches) < kLeastLearntEdges) continue;
     floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
     if (!input.T_odom_camera) continue;
     tracks[i] = tracks_.Learn(track, input.timestamp, views[i], estimations[i], *input.T_odom_camera);
@@ -180,8 +179,7 @@ void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
     for (size_t j = 0; j < views.size(); ++j) {
       if (j != i) others.push_back(views[j].detection.box);
     }
-    views[i].hidden_probability =
-        HiddenProbabilities(views[i].detection.box, others, options_.association.box);
+    views[i].hidden_probability = HiddenProbabilities(views[i].detection.box, others);
   }
 }
 
@@ -194,16 +192,15 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
 }
 
 UpEstimate FramePipeline::EstimateUp(const FrameInput& input, const std::vector<Segment>& segments) {
-  if (options_.up.source == UpSource::kLevel)
-    return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
+  if (options_.up.source == UpSource::kLevel) return {Eigen::Vector3d(0, -1, 0), kLevelSigmaDeg * kDegree};
   if (options_.up.source == UpSource::kAuto && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
   std::vector<UpVote> votes;
   for (const Detection& detection : input.detections) {
-    const BoxSides sides = SidesAtImageBorder(detection.box, camera_, options_.association.box.cut_tolerance);
+    const BoxSides sides = SidesAtImageBorder(detection.box, camera_);
     const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
-    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
+    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : kOpenBoxSigmaDeg;
     const auto vote =
         MakeUpVote(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
     if (vote) votes.push_back(*vote);

@@ -12,6 +12,14 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a.
+constexpr double kPruneMargin = 3;  // hypotheses this much above the best without lines are passed by
+// Hypotheses closer than this in azimuth and (share) in depth are alike: only the better is refined.
+constexpr double kAlikeAzimuth = 10 * kDegree, kAlikeDepth = 0.1;
+constexpr int kLeastEdges = 2;          // matched edges, fewer are too few
+constexpr double kMostShapeSigmas = 3;  // a shape with a coefficient beyond this is not believed
+constexpr double kAmbiguityMargin = 1;  // half a turn that costs no more than this on top is as good
+
 double Diagonal(const Box& box) { return std::hypot(box.width, box.height); }
 
 // The gate shrinks geometrically from the search's to the final one.
@@ -19,9 +27,8 @@ MatchGate ShrinkGate(const ObjectView& view, const AssociationOptions& options, 
   const double coarse =
       std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
   const double ratio = options.final_gate_pixels / coarse;
-  const double angle_ratio = options.final_angle_deg / options.search_angle_deg;
-  return {coarse * std::pow(ratio, progress),
-          options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
+  const double angle_ratio = kFinalAngleDeg / kSearchAngleDeg;
+  return {coarse * std::pow(ratio, progress), kSearchAngleDeg * kDegree * std::pow(angle_ratio, progress)};
 }
 
 void Project(const ObjectView& view, const PoseAndShape& at, const BoxSides& sides, ProjectedWireframe& out) {
@@ -57,7 +64,7 @@ std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hyp
       PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
   if (prior > bound) return std::nullopt;
   DetermineVisibility(*view.camera, view.model->spec, wireframe, T, view.occluders, scratch);
-  return prior + LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
+  return prior + LineCost(scratch, CoveredLength(scratch, view.segments, gate));
 }
 
 struct Ranked {
@@ -80,8 +87,7 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
     const std::optional<double> cost =
         options.cost == AssociationCost::kPrinted
             ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
-            : CoverageCost(view, hypotheses[i], wireframe, gate, best + options.prune_margin, options,
-                           scratch);
+            : CoverageCost(view, hypotheses[i], wireframe, gate, best + kPruneMargin, options, scratch);
     if (!cost) continue;
     best = std::min(best, *cost);
     ranking.push_back({*cost, i});
@@ -91,12 +97,10 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
   return ranking;
 }
 
-bool AreAlike(const Hypothesis& a, const Hypothesis& b, const AssociationOptions& options,
-              int symmetry_order) {
+bool AreAlike(const Hypothesis& a, const Hypothesis& b, int symmetry_order) {
   const double za = a.start.T_camera_object.translation().z(), zb = b.start.T_camera_object.translation().z();
-  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) <
-             options.diverse_azimuth_deg * kDegree &&
-         std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
+  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) < kAlikeAzimuth &&
+         std::abs(za - zb) < kAlikeDepth * std::min(za, zb);
 }
 
 // The best few hypotheses that are not alike.
@@ -111,7 +115,7 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
     if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
     const Hypothesis& hypothesis = hypotheses[ranked.hypothesis];
     const bool alike = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-      return AreAlike(hypothesis, other.hypothesis, options, view.model->spec.symmetry_order);
+      return AreAlike(hypothesis, other.hypothesis, view.model->spec.symmetry_order);
     });
     if (alike) continue;
     Candidate& candidate = kept.emplace_back();
@@ -165,7 +169,7 @@ void Conclude(const ObjectView& view, const AssociationOptions& options, Candida
   candidate.matches = std::move(matching.matches);
   candidate.cost =
       PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +
-      LineCost(view, projected, matching.covered_length, options.coverage);
+      LineCost(projected, matching.covered_length);
 }
 
 // Whether two candidates are on the way to the same place.
@@ -204,13 +208,13 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
   for (Candidate& candidate : candidates) Conclude(view, options, candidate, times);
 }
 
-EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
-                     const AssociationOptions& options) {
-  if (!candidate.finite || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
+EstimateStatus Judge(const ObjectView& view, const Candidate& candidate,
+                     const ProjectedWireframe& projected) {
+  if (!candidate.finite || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > kMostShapeSigmas) {
     return EstimateStatus::kDiverged;
   }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
-  if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
+  if (MatchedEdges(candidate.matches) < kLeastEdges) return EstimateStatus::kTooFewEdges;
   const std::optional<Box> seen = BoxAround(projected);
   if (!seen) return EstimateStatus::kOffTheBox;
   const double covered = Intersection(*seen, view.detection.box).area() / std::max(seen->area(), 1.0);
@@ -232,9 +236,9 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
   std::vector<Candidate> as_is = {best};
   Conclude(without_priors, association, as_is.front(), times);
   // Refining without the priors makes it better still: mostly the answer is known without.
-  if (turned.front().cost > as_is.front().cost + association.ambiguity_margin) return false;
+  if (turned.front().cost > as_is.front().cost + kAmbiguityMargin) return false;
   Refine(without_priors, association, resection, as_is, times);
-  return turned.front().cost <= as_is.front().cost + association.ambiguity_margin;
+  return turned.front().cost <= as_is.front().cost + kAmbiguityMargin;
 }
 
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
@@ -285,7 +289,7 @@ SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions
   result.initial = best->hypothesis.start;
   result.estimate.T_camera_object = best->estimate.T_camera_object;
   result.estimate.coefficients = best->estimate.coefficients;
-  result.estimate.status = Judge(view, *best, projected, association);
+  result.estimate.status = Judge(view, *best, projected);
   result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected,
                                               best->estimate, association.box, resection);
   result.estimate.rms_pixels = RmsPixels(best->matches);

@@ -14,6 +14,9 @@
 namespace armature {
 namespace {
 
+// Pixels: a segment of this length has full weight, shorter ones less; tuned on office_dev and redkitchen_a.
+constexpr double kFullLength = 60;
+
 // The line through a segment in pixels, a^2 + b^2 = 1.
 Eigen::Vector3d LineThrough(const Segment& segment) {
   const Eigen::Vector2d d = (segment.p2 - segment.p1).normalized();
@@ -34,12 +37,12 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
     const ProjectedEdge& edge = projected.edges[static_cast<size_t>(match.edge)];
     if (edge.length <= 0) continue;
     const Eigen::Vector3d line = LineThrough(match.segment);
-    const double weight = std::sqrt(std::min(1.0, match.segment.length() / options.full_length));
+    const double weight = std::sqrt(std::min(1.0, match.segment.length() / kFullLength));
     const double sigma = std::hypot(options.segment_sigma, edge.slack);
     for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
       ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
       point.X0.y() -= edge.drop;
-      problem.line_terms.push_back({point, line, weight / sigma, options.loss_scale, false});
+      problem.line_terms.push_back({point, line, weight / sigma, kSegmentLossScale, false});
     }
   }
 }

@@ -43,13 +43,14 @@ struct ResectionOptions {
   double segment_sigma = 2.0;   // pixels: standard deviation of a segment's end from its edge
   double leg_end_sigma = 1;     // of where a leg's segments end, in segment_sigma; 0: not used. Only
                                 // EvidenceAt uses it
-  double full_length = 60;      // pixels: a segment of this length has full weight, shorter ones less
-  double loss_scale = 3.0;      // standard deviations, of the Geman-McClure loss on segments
   double box_weight = 1.0;      // multiplies the box's residuals; 0: none
-  double box_loss_scale = 3.0;  // standard deviations
+  double box_loss_scale = 3.0;  // standard deviations; the map's refinement begins with more
   double up_sigma_deg = 1.5;    // degrees: of the up direction
   double shape_weight = 0.7;    // multiplies the coefficients in the regulariser
 };
+
+// Standard deviations, of the Geman-McClure loss on segments; tuned on office_dev and redkitchen_a.
+inline constexpr double kSegmentLossScale = 3;
 
 struct ResectionResult {
   PoseAndShape estimate;
