@@ -76,9 +76,9 @@ struct FirstMap {
   ObjectOfObservation phi;
 
   explicit FirstMap(const std::vector<MapFrame>& frames) {
-    graph = MakeOdometryGraph(frames, {1, 0}, StepNoise{}, 2, 1);
+    graph = MakeOdometryGraph(frames, {1, 0}, StepNoise{});
     phi = BreakTracks(frames, 3, 4);
-    AddObjects(frames, phi, FactorNoise{}, graph);
+    AddObjects(frames, phi, graph);
   }
 };
 
@@ -327,8 +327,7 @@ class AssociateDetectionsTest : public ::testing::Test {
 
   ObjectOfObservation Associate(std::optional<double> seconds_between = {}) const {
     const FirstMap map(frames_);
-    return AssociateDetections(map.graph, changed_.empty() ? frames_ : changed_, map.phi, seconds_between,
-                               {});
+    return AssociateDetections(map.graph, changed_.empty() ? frames_ : changed_, map.phi, seconds_between);
   }
 
   MapWorld world_;
@@ -383,9 +382,8 @@ TEST_F(AssociateDetectionsTest, OnlyRecentObjectsWithoutLoopClosure) {
   FirstMap map(frames_);
   map.phi.assign(16, {-1, -1});
   for (size_t i = 0; i < 6; ++i) map.phi[i] = {0, 1};
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, std::nullopt, {})[10],
-            (std::vector<int>{0, 1}));
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, 3.0, {})[10], (std::vector<int>{-1, -1}));
+  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, std::nullopt)[10], (std::vector<int>{0, 1}));
+  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, 3.0)[10], (std::vector<int>{-1, -1}));
 }
 
 }  // namespace

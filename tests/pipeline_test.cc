@@ -57,7 +57,7 @@ TEST(UpEstimator, FindsALookDownWithoutAnyViewpoint) {
     const Eigen::Vector3d foot(-1.4 + 0.2 * i, 0.9 - 0.3 * (i % 2), 2.5 + 0.4 * (i % 3));
     segments.push_back({camera.Project(foot), camera.Project(foot + 0.7 * up)});
   }
-  UpEstimator estimator(UpOptions{});
+  UpEstimator estimator;
   EXPECT_LT(AngleDeg(estimator.Predict(camera, segments, {}, std::nullopt).up_camera, up), 1);
 }
 
@@ -70,13 +70,13 @@ TEST(ObjectEstimator, NoSegmentsAreTooFewEdges) {
 TEST(ObjectEstimator, ThePrintedVariantRuns) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
   AssociationOptions association;
-  association.cost = "printed";
+  association.cost = AssociationCost::kPrinted;
   association.hypotheses.printed_translation = true;
   association.refined_hypotheses = 1;
   association.rounds = 1;
   ResectionOptions resection;
-  resection.mode = "alternating";
-  resection.normal_term = "printed";
+  resection.mode = ResectionMode::kAlternating;
+  resection.normal_term = NormalTerm::kPrinted;
   const SingleViewResult result = EstimateObject(synthetic.view, association, resection);
   EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());
   EXPECT_EQ(result.estimate.matches.size(),
@@ -93,7 +93,7 @@ TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
     segments.push_back({{20.0 + 45 * i, 30}, {60.0 + 45 * i, 40 + 3.0 * i}});  // clutter
   }
   const UpVote rough{ExpSO3({0.06, 0, 0.05}) * up, 5 * kDegree};
-  UpEstimator estimator(UpOptions{});
+  UpEstimator estimator;
   UpEstimate estimate;
   for (int frame = 0; frame < 5; ++frame) {
     estimate = estimator.Predict(camera, segments, {rough, rough}, Eigen::Isometry3d::Identity());
@@ -105,7 +105,7 @@ TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
 TEST(UpEstimator, EarlierFramesCountThroughTheOdometry) {
   const Camera camera{640, 480, 500, 500, 320, 240, {}};
   const Eigen::Vector3d up_odom = Eigen::Vector3d(0, -1, -0.5).normalized();
-  UpEstimator estimator(UpOptions{});
+  UpEstimator estimator;
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   for (int frame = 0; frame < 30; ++frame) {
     T.linear() = ExpSO3({0, 0.03 * frame, 0});

@@ -253,7 +253,7 @@ TEST(Resection, JointCostIsNoHigherThanAlternating) {
   const Matching matching = MatchSegments(projected, synthetic.view.segments, {30, 0.3});
   ResectionOptions joint, alternating;
   joint.max_iterations = alternating.max_iterations = 30;
-  alternating.mode = "alternating";
+  alternating.mode = ResectionMode::kAlternating;
   const auto cost = [&](const ResectionOptions& options) {
     return Resect({synthetic.view, synthetic.view.sides, matching.matches, projected, start, BoxOptions{},
                    options})

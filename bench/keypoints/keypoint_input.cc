@@ -20,14 +20,13 @@ std::optional<Eigen::Vector3d> EstimateUp(const BenchSequence& sequence, const F
 }
 
 KeypointInput MakeInput(const Detection& detection, const KeypointCategory& category, const Camera& camera,
-                        const std::optional<Eigen::Vector3d>& up_camera, double cut_tolerance,
-                        Random& random) {
+                        const std::optional<Eigen::Vector3d>& up_camera, Random& random) {
   KeypointInput input;
   input.view.camera = &camera;
   input.view.model = &category.model;
   input.view.detection = detection;
   input.view.detection.box = UndistortBox(camera, detection.box);
-  input.view.sides = SidesAtImageBorder(input.view.detection.box, camera, cut_tolerance);
+  input.view.sides = SidesAtImageBorder(input.view.detection.box, camera);
   input.view.up_camera = up_camera;
   input.keypoints = &category.keypoints;
   input.crop = CropAround(detection.box);
@@ -47,8 +46,7 @@ KeypointCategories MakeKeypointCategories(std::vector<CategoryModel> models) {
   return categories;
 }
 
-KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories,
-                                  double cut_tolerance) {
+KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories) {
   KeypointInputs inputs;
   std::uint64_t stream = 0;
   for (const BenchFrame& frame : sequence.frames) {
@@ -56,8 +54,8 @@ KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointC
     std::vector<KeypointInput>& of_frame = inputs[&frame];
     for (const Detection& detection : frame.input.detections) {
       Random random(StreamSeed(kSeed, stream++));
-      of_frame.push_back(MakeInput(detection, categories.at(detection.category), sequence.camera, up_camera,
-                                   cut_tolerance, random));
+      of_frame.push_back(
+          MakeInput(detection, categories.at(detection.category), sequence.camera, up_camera, random));
     }
   }
   return inputs;

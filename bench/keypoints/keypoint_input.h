@@ -36,7 +36,6 @@ using KeypointInputs = std::unordered_map<const BenchFrame*, std::vector<Keypoin
 
 // Every detection's category must be one of the categories. A side of a box that is as close to the image's
 // border as `cut_tolerance` (share of the box's size) is taken to be cut by it.
-KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories,
-                                  double cut_tolerance);
+KeypointInputs MakeKeypointInputs(const BenchSequence& sequence, const KeypointCategories& categories);
 
 }  // namespace armature

@@ -15,7 +15,7 @@ constexpr int kAlternations = 5;
 
 Contender ResectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup,
                           const ResectionOptions& resection) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   const PoseAndShape start = micro->NearTruth();
   const std::vector<EdgeMatch> matches = MicroMatches(*micro, kMatchedLines, setup.association);
   return MicroContender(
@@ -28,19 +28,19 @@ Contender ResectContender(const std::string& name, const CategoryModel& model, c
 
 Contender JointContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions joint = setup.resection;
-  joint.mode = "joint";
+  joint.mode = ResectionMode::kJoint;
   return ResectContender(name, model, setup, joint);
 }
 
 Contender AlternatingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions alternating = setup.resection;
-  alternating.mode = "alternating";
+  alternating.mode = ResectionMode::kAlternating;
   alternating.alternations = kAlternations;
   return ResectContender(name, model, setup, alternating);
 }
 
 Contender ObjectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   return MicroContender(name, 1, [micro, association = setup.association, resection = setup.resection] {
     EstimateObject(micro->view, association, resection);
   });

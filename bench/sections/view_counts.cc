@@ -16,7 +16,7 @@ ObjectView MakeView(const Detection& detection, const FrameResult& frame, const 
   view.camera = &camera;
   view.model = &model;
   view.detection = detection;
-  view.sides = SidesAtImageBorder(detection.box, camera, options.association.box.cut_tolerance);
+  view.sides = SidesAtImageBorder(detection.box, camera);
   const double margin = options.lines.box_margin * std::max(detection.box.width, detection.box.height);
   view.segments = SegmentsInBox(frame.segments, detection.box.Grown(margin), options.lines.min_length,
                                 options.association.max_segments);
@@ -49,8 +49,7 @@ ViewCounts CountViews(const FrameResult& frame, const Camera& camera,
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const Detection& detection = frame.observations[i].detection;
     ObjectView view = MakeView(detection, frame, camera, LookUpModel(models, detection.category), options);
-    view.hidden_probability =
-        HiddenProbabilities(detection.box, OtherBoxes(frame, i), options.association.box);
+    view.hidden_probability = HiddenProbabilities(detection.box, OtherBoxes(frame, i));
     counts.hypotheses += share * static_cast<double>(CountHypotheses(view, options.association));
     counts.segments += share * static_cast<double>(view.segments.size());
   }

@@ -33,7 +33,7 @@ std::vector<RetrievalVariant> VariantsForSeen() {
   RetrievalOptions covariance = Plain({}), reranked = Plain({});
   covariance.covariance = true;
   reranked.rerank = true;
-  return {{"k-NN, raw", Plain({.space = "raw"})},
+  return {{"k-NN, raw", Plain({.space = FeatureSpace::kRaw})},
           {kPlainVariant, Plain({})},
           {"k-NN, whitened, with size", Plain({.with_size = true})},
           PlainWithModes(1),
@@ -47,7 +47,7 @@ std::vector<RetrievalVariant> VariantsForSeen() {
 }
 
 std::vector<RetrievalVariant> VariantsForShapes() {
-  return {{"k-NN, raw", Plain({.space = "raw"})},
+  return {{"k-NN, raw", Plain({.space = FeatureSpace::kRaw})},
           {kPlainVariant, Plain({})},
           PlainWithModes(1),
           PlainWithModes(3),

@@ -15,22 +15,17 @@
 namespace armature {
 
 struct BoxOptions {
-  double cut_tolerance =
-      0.06;                 // share of the box's size: a side this close to the image's border is cut by it
   double sigma = 0.03;      // share of the box's size: standard deviation of a side
   double sigma_pixels = 2;  // added to it
-  double hidden_probability = 0.3;         // of a bottom that no other box goes on beyond
-  double hidden_behind_probability = 0.7;  // of a side that another box goes on beyond
 };
 
 // Open where the image's border cuts the box, seen elsewhere.
-BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance);
+BoxSides SidesAtImageBorder(const Box& box, const Camera& camera);
 
 // Probability that something hides the object beyond each side of its box. Another detection's box that goes
 // on beyond the side may be of an object in front of it; furniture stands on the floor, so what hides it
 // mostly hides its bottom.
-std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others,
-                                          const BoxOptions& options);
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others);
 
 // Standard deviation in pixels of the box's sides, by the axis it moves along: {left/right, top/bottom}.
 std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options);

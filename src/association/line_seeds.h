@@ -14,14 +14,6 @@
 
 namespace armature {
 
-struct LineSeedOptions {
-  bool enabled = true;
-  int segments = 30;         // the longest that are tried on every edge
-  int pairs = 20;            // the best pairs of edge and segment that are combined, two at a time
-  int translations = 16;     // that are kept for each rotation and shape
-  double max_angle_deg = 4;  // degrees, between the edge and the segment's plane
-};
-
 // Whether the box alone is too little: a side is cut or likely hidden.
 bool NeedsLineSeeds(const ObjectView& view);
 
@@ -29,6 +21,6 @@ bool NeedsLineSeeds(const ObjectView& view);
 // whose pairs are longest. Empty where neither floor nor up is known, or the category does not stand on the
 // floor.
 std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const Wireframe& wireframe,
-                                                   const Eigen::Matrix3d& R, const LineSeedOptions& options);
+                                                   const Eigen::Matrix3d& R);
 
 }  // namespace armature

@@ -21,6 +21,9 @@
 namespace armature {
 namespace {
 
+// Of the scale's logarithm: what the front end has learnt is never surer, its views' errors are alike.
+constexpr double kLeastExpectedSigma = 0.1;
+
 // The mean height along up of what the objects stand on, metres.
 double FloorBelow(const MapGraph& graph) {
   double sum = 0, count = 0;
@@ -71,7 +74,7 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
     // Together, the knots' priors weigh as one.
-    const double sigma = std::max(graph.expected_scale.sigma, options.min_scale_sigma) *
+    const double sigma = std::max(graph.expected_scale.sigma, kLeastExpectedSigma) *
                          std::sqrt(static_cast<double>(blocks.log_scale.size()));
     const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(std::log(graph.expected_scale.scale));
     problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);

@@ -18,6 +18,10 @@
 namespace armature {
 namespace {
 
+// Intersections over union: two things cannot be in one place, so objects whose boxes overlap more are one;
+// and what a detection's box and an object's projection have to have in common.
+constexpr double kSamePlace = 0.3, kSeenOverlap = 0.3;
+constexpr int kTogether = 2;          // frames that may show both of two objects that are one
 constexpr size_t kAskedFactors = 25;  // of an object, when another is compared with it
 constexpr size_t kRivals = 5;         // merges of which only one can be, handed back at most
 
@@ -145,7 +149,7 @@ MergeCandidate Compare(const MapGraph& graph, size_t kept, size_t joined, const 
                     std::abs(turned) > 0.5 * M_PI};
   const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
   const double distance = Distance(graph, a, seen, merge.turn, merge.flipped, drift);
-  const bool overlap = IntersectionOverUnion(MakeBox(a), MakeBox(b)) > options.overlap;
+  const bool overlap = IntersectionOverUnion(MakeBox(a), MakeBox(b)) > kSamePlace;
   return {merge, overlap ? std::min(distance, options.gate) : distance};
 }
 
@@ -162,7 +166,7 @@ std::vector<MergeCandidate> FindCandidates(const MapGraph& graph, const std::vec
       const bool more = seen[a].factors.size() > seen[b].factors.size() ||
                         (seen[a].factors.size() == seen[b].factors.size() && a < b);
       if (a == b || graph.objects[a].model != graph.objects[b].model || !more) continue;
-      if (Together(seen[a], seen[b]) > options.together) continue;
+      if (Together(seen[a], seen[b]) > kTogether) continue;
       if (seconds_between && LeastBetween(seen[a], seen[b], stamps) > *seconds_between) continue;
       const double way = ways(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
       const MergeCandidate candidate = Compare(graph, a, b, seen[b], way, options);
@@ -253,8 +257,8 @@ void DropUnseen(MapGraph& graph, ObjectOfObservation& phi) {
 }
 
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
-                                        const ObjectAssociationOptions& options) {
+                                        const ObjectOfObservation& phi,
+                                        std::optional<double> seconds_between) {
   const std::vector<std::pair<double, double>> spans = Spans(graph.objects.size(), frames, phi);
   ObjectOfObservation result;
   for (size_t i = 0; i < frames.size(); ++i) {
@@ -273,8 +277,7 @@ ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector
       if (!expected) continue;
       for (size_t j = 0; j < observations.size(); ++j) {
         if (observations[j].view.model != graph.objects[o].model) continue;
-        const auto agreement =
-            BoxAgreement(*expected, observations[j].view.detection.box, options.box_overlap);
+        const auto agreement = BoxAgreement(*expected, observations[j].view.detection.box, kSeenOverlap);
         if (!agreement) continue;
         costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - *agreement;
       }

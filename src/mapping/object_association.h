@@ -15,12 +15,9 @@
 namespace armature {
 
 struct ObjectAssociationOptions {
-  double gate = 4;       // squared Mahalanobis distance per row that joins two objects
-  double overlap = 0.3;  // or this intersection over union of their boxes: two things cannot be in one place
-  int together = 2;      // frames that may show both of them nevertheless
-  double drift = 0.05;   // metres a metre travelled: of the odometry since an object was last seen
+  double gate = 4;            // squared Mahalanobis distance per row that joins two objects
+  double drift = 0.05;        // metres a metre travelled: of the odometry since an object was last seen
   double turn_drift_deg = 1;  // degrees a metre travelled
-  double box_overlap = 0.3;   // intersection over union of a detection's box and an object's projection
 };
 
 struct Merge {
@@ -46,7 +43,7 @@ void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);
 // Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame.
 // Objects are candidates within `seconds_between` of the observations that phi gives them now.
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
-                                        const ObjectAssociationOptions& options);
+                                        const ObjectOfObservation& phi,
+                                        std::optional<double> seconds_between);
 
 }  // namespace armature

@@ -70,10 +70,10 @@ void MergeOverlapping(const std::vector<MapFrame>& frames, const MappingOptions&
 void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
             const MappingOptions& options, MapGraph& graph, ObjectOfObservation& phi) {
   MapSolverOptions solver = options.solver;
-  solver.max_iterations = options.refinement.iterations;
+  solver.max_iterations = kRefinementSteps;
   for (int round = 0; round < options.refinement.rounds; ++round) {
     MergeOverlapping(frames, options, graph, phi);
-    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options), options.association);
+    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options));
     Relinearise(frames, phi, round, box, resection, options.refinement, graph);
     DropUnseen(graph, phi);
     SolveMapGraph(graph, solver);
@@ -158,20 +158,18 @@ double Map::MeanScale() const {
 
 Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
-  MapGraph graph =
-      MakeOdometryGraph(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
+  MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
-  AddObjects(frames, phi, options.view_noise, graph);
+  AddObjects(frames, phi, graph);
   MergeWhileSolving(frames, options, graph, phi);
   Refine(frames, box, resection, options, graph, phi);
   return ToMap(frames, graph, phi, options);
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
-  MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
-                                     options.up_sigma_deg);
+  MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry);
   graph.cameras_are_held = true;
-  AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), options.view_noise, graph);
+  AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), graph);
   SolveMapGraph(graph, options.solver);
   Map placed = map;
   placed.T_world_camera = graph.T_world_camera;

@@ -19,17 +19,11 @@
 namespace armature {
 
 struct MappingOptions {
-  std::string scale = "objects";  // "objects": of the odometry, from the objects; "none": it is in metres
-  int min_observations = 4;       // frames that agree before an object is kept
+  int min_observations = 4;   // frames that agree before an object is kept
   bool loop_closure = true;   // objects seen again later are the same objects; else only those seen recently
   double recent_seconds = 3;  // what recently means
-  int first_solve = 30;       // frames after which the map is solved for the first time while frames come in,
-  double solve_growth = 1.4;  // and again whenever there are this many times more: a fixed cost a frame
   StepNoise odometry;
-  double knot_seconds = 2;  // between the knots of the odometry's scale
-  double up_sigma_deg = 1;  // degrees: up as the front end has it is never surer
   ObjectAssociationOptions association;
-  FactorNoise view_noise;  // of single-view estimates, before the refinement
   MapSolverOptions solver;
   RefinementOptions refinement;
 };

@@ -36,13 +36,13 @@ FrameInput WithoutViewpoints(FrameInput input) {
   return input;
 }
 
-void MarkHiddenSides(const BoxOptions& options, std::vector<ObjectInFrame>& objects) {
+void MarkHiddenSides(std::vector<ObjectInFrame>& objects) {
   for (ObjectInFrame& object : objects) {
     std::vector<Box> others;
     for (const ObjectInFrame& other : objects) {
       if (&other != &object) others.push_back(other.view.detection.box);
     }
-    object.view.hidden_probability = HiddenProbabilities(object.view.detection.box, others, options);
+    object.view.hidden_probability = HiddenProbabilities(object.view.detection.box, others);
   }
 }
 
@@ -82,16 +82,15 @@ std::vector<ObjectObservation> CollectObservations(const FrameInput& input,
 }  // namespace
 
 FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                             std::optional<Eigen::Vector3d> up_odom)
+                             std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric)
     : options_(std::move(options)),
       camera_(camera),
       categories_(Share(std::move(categories))),
       up_odom_(up_odom),
       detector_(MakeLineDetector(options_.lines)),
-      up_estimator_(options_.up),
       floor_(options_.floor),
       tracks_(options_.tracks),
-      map_(options_.mapping, options_.association.box, options_.resection) {}
+      map_(options_.mapping, options_.association.box, options_.resection, odometry_is_metric) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
   return Process(DetectLines(gray, input.detections), input);
@@ -157,7 +156,7 @@ std::vector<ObjectInFrame> FramePipeline::Predict(const FrameInput& input, Frame
     if (options_.tracks.enabled && input.T_odom_camera)
       object.view.track_prior = tracks_.Predict(object.track, *input.T_odom_camera, frame.up_camera);
   }
-  MarkHiddenSides(options_.association.box, objects);
+  MarkHiddenSides(objects);
   return objects;
 }
 
@@ -166,7 +165,7 @@ void FramePipeline::Update(const FrameInput& input, std::vector<ObjectInFrame>& 
   for (auto& [view, track, result] : objects) {
     const int predicted = std::exchange(track, kNoTrack);
     if (result.estimate.status != EstimateStatus::kOk) continue;
-    if (MatchedEdges(result.estimate.matches) < options_.tracks.min_edges) continue;
+    if (MatchedEdges(result.estimate.matches) < kLeastLearntEdges) continue;
     floor_.Update(result, *view.model, *view.up_camera);
     if (!input.T_odom_camera) continue;
     track = tracks_.Update(predicted, input.timestamp, view, result, *input.T_odom_camera);
@@ -214,16 +213,15 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
 }
 
 UpEstimate FramePipeline::PredictUp(const FrameInput& input, const std::vector<Segment>& segments) {
-  if (options_.up.source == "level")
-    return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
-  if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
+  if (options_.up.source == UpSource::kLevel) return {Eigen::Vector3d(0, -1, 0), kLevelSigmaDeg * kDegree};
+  if (options_.up.source == UpSource::kAuto && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
   std::vector<UpVote> votes;
   for (const Detection& detection : input.detections) {
-    const BoxSides sides = SidesAtImageBorder(detection.box, camera_, options_.association.box.cut_tolerance);
+    const BoxSides sides = SidesAtImageBorder(detection.box, camera_);
     const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
-    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
+    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : kOpenBoxSigmaDeg;
     const auto vote =
         MakeUpVote(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
     if (vote) votes.push_back(*vote);

@@ -43,9 +43,10 @@ struct ObjectInFrame {
 // of.
 class FramePipeline {
  public:
-  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one.
+  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one. `odometry_is_metric`:
+  // its unit is the metre; otherwise the objects tell its scale.
   FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                std::optional<Eigen::Vector3d> up_odom);
+                std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric = false);
   FramePipeline(const FramePipeline&) = delete;
   FramePipeline& operator=(const FramePipeline&) = delete;
 

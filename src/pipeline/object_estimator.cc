@@ -12,6 +12,14 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a.
+constexpr double kPruneMargin = 3;  // hypotheses this much above the best without lines are passed by
+// Hypotheses closer than this in azimuth and (share) in depth are alike: only the better is refined.
+constexpr double kAlikeAzimuth = 10 * kDegree, kAlikeDepth = 0.1;
+constexpr int kLeastEdges = 2;          // matched edges, fewer are too few
+constexpr double kMostShapeSigmas = 3;  // a shape with a coefficient beyond this is not believed
+constexpr double kAmbiguityMargin = 1;  // half a turn that costs no more than this on top is as good
+
 double Diagonal(const Box& box) { return std::hypot(box.width, box.height); }
 
 // The gate shrinks geometrically from the search's to the final one.
@@ -19,9 +27,8 @@ MatchGate ShrinkGate(const ObjectView& view, const AssociationOptions& options, 
   const double coarse =
       std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
   const double ratio = options.final_gate_pixels / coarse;
-  const double angle_ratio = options.final_angle_deg / options.search_angle_deg;
-  return {coarse * std::pow(ratio, progress),
-          options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
+  const double angle_ratio = kFinalAngleDeg / kSearchAngleDeg;
+  return {coarse * std::pow(ratio, progress), kSearchAngleDeg * kDegree * std::pow(angle_ratio, progress)};
 }
 
 void Project(const ObjectView& view, const PoseAndShape& at, const BoxSides& sides, ProjectedWireframe& out) {
@@ -59,7 +66,7 @@ std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hyp
       PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
   if (prior > bound) return std::nullopt;
   DetermineVisibility(*view.camera, view.model->spec, wireframe, T, view.occluders, scratch);
-  return prior + LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
+  return prior + LineCost(scratch, CoveredLength(scratch, view.segments, gate));
 }
 
 struct Ranked {
@@ -81,9 +88,9 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
     const int index = hypotheses[i].dictionary_index;
     const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
     const std::optional<double> cost =
-        options.cost == "printed" ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
-                                  : CoverageCost(view, hypotheses[i], wireframe, gate,
-                                                 best + options.prune_margin, options, scratch);
+        options.cost == AssociationCost::kPrinted
+            ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
+            : CoverageCost(view, hypotheses[i], wireframe, gate, best + kPruneMargin, options, scratch);
     if (!cost) continue;
     best = std::min(best, *cost);
     ranking.push_back({*cost, i});
@@ -93,12 +100,10 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
   return ranking;
 }
 
-bool AreAlike(const Hypothesis& a, const Hypothesis& b, const AssociationOptions& options,
-              int symmetry_order) {
+bool AreAlike(const Hypothesis& a, const Hypothesis& b, int symmetry_order) {
   const double za = a.start.T_camera_object.translation().z(), zb = b.start.T_camera_object.translation().z();
-  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) <
-             options.diverse_azimuth_deg * kDegree &&
-         std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
+  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) < kAlikeAzimuth &&
+         std::abs(za - zb) < kAlikeDepth * std::min(za, zb);
 }
 
 // The best few hypotheses that are not alike.
@@ -113,7 +118,7 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
     if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
     const Hypothesis& hypothesis = hypotheses[ranked.hypothesis];
     const bool alike = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-      return AreAlike(hypothesis, other.hypothesis, options, view.model->spec.symmetry_order);
+      return AreAlike(hypothesis, other.hypothesis, view.model->spec.symmetry_order);
     });
     if (alike) continue;
     Candidate& candidate = kept.emplace_back();
@@ -126,7 +131,8 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
 
 std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected,
                                  const MatchGate& gate, const AssociationOptions& options) {
-  if (options.cost == "printed") return AssociateAsPrinted(projected, view.segments, options.printed).matches;
+  if (options.cost == AssociationCost::kPrinted)
+    return AssociateAsPrinted(projected, view.segments, options.printed).matches;
   return MatchSegments(projected, view.segments, gate).matches;
 }
 
@@ -158,7 +164,7 @@ void Score(const ObjectView& view, const AssociationOptions& options, Candidate&
   const BoxSides& sides = candidate.hypothesis.sides;
   Project(view, candidate.estimate, sides, projected);
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
-  if (options.cost == "printed") {
+  if (options.cost == AssociationCost::kPrinted) {
     candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }
@@ -166,7 +172,7 @@ void Score(const ObjectView& view, const AssociationOptions& options, Candidate&
   candidate.matches = std::move(matching.matches);
   candidate.cost =
       PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +
-      LineCost(view, projected, matching.covered_length, options.coverage);
+      LineCost(projected, matching.covered_length);
 }
 
 // Whether two candidates are on the way to the same place.
@@ -206,13 +212,12 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
 }
 
 EstimateStatus Validate(const ObjectView& view, const Candidate& candidate,
-                        const ProjectedWireframe& projected, const AssociationOptions& options) {
-  if (!candidate.finite() ||
-      candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
+                        const ProjectedWireframe& projected) {
+  if (!candidate.finite() || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > kMostShapeSigmas) {
     return EstimateStatus::kDiverged;
   }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
-  if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
+  if (MatchedEdges(candidate.matches) < kLeastEdges) return EstimateStatus::kTooFewEdges;
   const std::optional<Box> seen = BoxAround(projected);
   if (!seen) return EstimateStatus::kOffTheBox;
   const double covered = Intersection(*seen, view.detection.box).area() / std::max(seen->area(), 1.0);
@@ -234,9 +239,9 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
   std::vector<Candidate> as_is = {best};
   Score(without_priors, association, as_is.front(), times);
   // Refining without the priors makes it better still: mostly the answer is known without.
-  if (turned.front().cost > as_is.front().cost + association.ambiguity_margin) return false;
+  if (turned.front().cost > as_is.front().cost + kAmbiguityMargin) return false;
   Refine(without_priors, association, resection, as_is, times);
-  return turned.front().cost <= as_is.front().cost + association.ambiguity_margin;
+  return turned.front().cost <= as_is.front().cost + kAmbiguityMargin;
 }
 
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
@@ -274,7 +279,7 @@ void Describe(const ObjectView& view, Candidate best, const AssociationOptions& 
   ObjectEstimate& estimate = result.estimate;
   estimate.T_camera_object = best.estimate.T_camera_object;
   estimate.coefficients = best.estimate.coefficients;
-  estimate.status = Validate(view, best, projected, association);
+  estimate.status = Validate(view, best, projected);
   estimate.covariance = PoseCovariance(
       {view, best.hypothesis.sides, best.matches, projected, best.estimate, association.box, resection});
   estimate.rms_pixels = RmsPixels(best.matches);

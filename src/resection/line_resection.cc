@@ -14,12 +14,8 @@
 namespace armature {
 namespace {
 
-NormalTerm NormalTermFromName(const std::string& name) {
-  if (name == "axis") return NormalTerm::kAxis;
-  if (name == "base") return NormalTerm::kBase;
-  if (name == "printed") return NormalTerm::kPrinted;
-  return NormalTerm::kNone;
-}
+// Pixels: a segment of this length has full weight, shorter ones less; tuned on office_dev and redkitchen_a.
+constexpr double kFullLength = 60;
 
 // The line through a segment in pixels, a^2 + b^2 = 1.
 Eigen::Vector3d LineThrough(const Segment& segment) {
@@ -41,12 +37,12 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
     const ProjectedEdge& edge = projected.edges[static_cast<size_t>(match.edge)];
     if (edge.length <= 0) continue;
     const Eigen::Vector3d line = LineThrough(match.segment);
-    const double weight = std::sqrt(std::min(1.0, match.segment.length() / options.full_length));
+    const double weight = std::sqrt(std::min(1.0, match.segment.length() / kFullLength));
     const double sigma = std::hypot(options.segment_sigma, edge.slack);
     for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
       ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
       point.X0.y() -= edge.drop;
-      problem.line_terms.push_back({point, line, weight / sigma, options.loss_scale, false});
+      problem.line_terms.push_back({point, line, weight / sigma, kSegmentLossScale, false});
     }
   }
 }
@@ -143,7 +139,7 @@ ResectionProblem MakeProblem(const ResectionInput& input) {
   problem.shape_weight = options.shape_weight;
   if (view.track_prior) problem.track_prior = &*view.track_prior;
   if (view.up_camera) {
-    problem.normal_term = NormalTermFromName(options.normal_term);
+    problem.normal_term = options.normal_term;
     problem.up_camera = *view.up_camera;
     problem.up_weight = 1 / (options.up_sigma_deg * kDegree);
   } else {
@@ -173,8 +169,9 @@ SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& op
 
 SolverResult Solve(ResectionProblem& problem, const ResectionOptions& options, Eigen::VectorXd& x) {
   const SolverOptions solver{.max_iterations = options.max_iterations};
-  if (options.mode == "alternating") return SolveAlternating(problem, solver, x, options.alternations);
-  if (options.solver == "ceres") return SolveResectionWithCeres(problem, solver, x);
+  if (options.mode == ResectionMode::kAlternating)
+    return SolveAlternating(problem, solver, x, options.alternations);
+  if (options.solver == ResectionSolver::kCeres) return SolveResectionWithCeres(problem, solver, x);
   return SolveResection(problem, solver, x);
 }
 

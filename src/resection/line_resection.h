@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <string>
 
 #include "association/box_constraints.h"
 #include "association/object_view.h"
@@ -14,22 +13,45 @@
 
 namespace armature {
 
-struct ResectionOptions {
-  std::string mode = "joint";    // "joint": pose and shape together; "alternating": the paper's turns
-  std::string solver = "small";  // "small": our own, fixed-size; "ceres": the reference. Mode "joint" only
-  std::string normal_term = "axis";  // "none", "axis", "base", "printed": see resection_problem.h
-  int max_iterations = 5;            // of the optimiser, each round
-  int alternations = 5;              // of mode "alternating"
-  double segment_sigma = 2.0;        // pixels: standard deviation of a segment's end from its edge
-  double leg_end_sigma = 1;          // of where a leg's segments end, in segment_sigma; 0: not used. Only
-                                     // EvidenceAt uses it
-  double full_length = 60;           // pixels: a segment of this length has full weight, shorter ones less
-  double loss_scale = 3.0;           // standard deviations, of the Geman-McClure loss on segments
-  double box_weight = 1.0;           // multiplies the box's residuals; 0: none
-  double box_loss_scale = 3.0;       // standard deviations
-  double up_sigma_deg = 1.5;         // degrees: of the up direction
-  double shape_weight = 0.7;         // multiplies the coefficients in the regulariser
+enum class ResectionMode {
+  kJoint,        // pose and shape together
+  kAlternating,  // the paper's turns
 };
+
+template <>
+struct EnumNames<ResectionMode> {
+  static constexpr NamedValue<ResectionMode> kTable[] = {{ResectionMode::kJoint, "joint"},
+                                                         {ResectionMode::kAlternating, "alternating"}};
+};
+
+enum class ResectionSolver {
+  kSmall,  // our own, of fixed size
+  kCeres,  // the reference, ceres::TinySolver
+};
+
+template <>
+struct EnumNames<ResectionSolver> {
+  static constexpr NamedValue<ResectionSolver> kTable[] = {{ResectionSolver::kSmall, "small"},
+                                                           {ResectionSolver::kCeres, "ceres"}};
+};
+
+struct ResectionOptions {
+  ResectionMode mode = ResectionMode::kJoint;
+  ResectionSolver solver = ResectionSolver::kSmall;  // of mode kJoint; kAlternating always has kCeres
+  NormalTerm normal_term = NormalTerm::kAxis;
+  int max_iterations = 5;       // of the optimiser, each round
+  int alternations = 5;         // of mode kAlternating
+  double segment_sigma = 2.0;   // pixels: standard deviation of a segment's end from its edge
+  double leg_end_sigma = 1;     // of where a leg's segments end, in segment_sigma; 0: not used. Only
+                                // EvidenceAt uses it
+  double box_weight = 1.0;      // multiplies the box's residuals; 0: none
+  double box_loss_scale = 3.0;  // standard deviations; the map's refinement begins with more
+  double up_sigma_deg = 1.5;    // degrees: of the up direction
+  double shape_weight = 0.7;    // multiplies the coefficients in the regulariser
+};
+
+// Standard deviations, of the Geman-McClure loss on segments; tuned on office_dev and redkitchen_a.
+inline constexpr double kSegmentLossScale = 3;
 
 // What resection looks at: the matches of one view about a pose and shape. It lives no longer than what it
 // refers to.

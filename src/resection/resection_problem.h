@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "association/object_view.h"
+#include "base/enum_names.h"
 #include "category/category_model.h"
 #include "geometry/camera.h"
 
@@ -67,6 +68,14 @@ enum class NormalTerm {
           // slope)
   kBase,  // the base's normal R D1 x R D2, normalised, is up
   kPrinted,  // (R M1 + T) x (R M2 + T) = Y, as the paper prints eq. 20
+};
+
+template <>
+struct EnumNames<NormalTerm> {
+  static constexpr NamedValue<NormalTerm> kTable[] = {{NormalTerm::kNone, "none"},
+                                                      {NormalTerm::kAxis, "axis"},
+                                                      {NormalTerm::kBase, "base"},
+                                                      {NormalTerm::kPrinted, "printed"}};
 };
 
 struct ResectionProblem {

@@ -13,6 +13,18 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a: errors of neighbouring frames are alike, and a filter that believed
+// resection's covariances would soon be surer than it is right.
+constexpr double kFading = 0.96;         // weight of what was known before, with each new observation
+constexpr double kMeasurementScale = 2;  // multiplies the standard deviations of resection
+constexpr double kDepthSigma = 0.08;  // share of the distance, added along the ray: one view's error of size
+constexpr double kLateralSigma = 0.025;   // share of the distance, added across: bearing, drift, the centre
+constexpr double kYawSigmaDeg = 4;        // degrees, added to one view's yaw
+constexpr double kTrackShapeSigma = 0.5;  // added to one view's coefficients, standard deviations
+// A remembered position (share of the distance), yaw (degrees) and coefficient are never surer than this.
+constexpr double kLeastRelativeSigma = 0.03, kLeastYawSigmaDeg = 2, kLeastShapeSigma = 0.4;
+constexpr int kObservationsBeforeUse = 2;
+constexpr double kVoteWeight = 0.6;  // of one viewpoint prior; neighbouring frames' are alike
 constexpr double kVoteSigma = 12 * kDegree;
 constexpr double kVoteOutliers = 0.05;
 
@@ -108,7 +120,7 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
 std::optional<TrackPrior> ObjectTracks::Predict(int id, const Eigen::Isometry3d& T_odom_camera,
                                                 const Eigen::Vector3d& up_camera) const {
   const Track* found = FindTrack(id);
-  if (found == nullptr || found->observations < options_.min_observations) return std::nullopt;
+  if (found == nullptr || found->observations < kObservationsBeforeUse) return std::nullopt;
   const Track& track = *found;
   const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
   const Eigen::Vector3d up_odom = T_odom_camera.linear() * up_camera;
@@ -116,13 +128,11 @@ std::optional<TrackPrior> ObjectTracks::Predict(int id, const Eigen::Isometry3d&
   prior.expected = Expected(track, T_odom_camera, up_odom);
   if (prior.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
   // Never too sure of it: floors keep a wrong prior correctable.
-  const double position_sigma =
-      options_.min_relative_sigma * prior.expected.T_camera_object.translation().norm();
+  const double position_sigma = kLeastRelativeSigma * prior.expected.T_camera_object.translation().norm();
   Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
   covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
-  covariance(3, 3) += std::pow(options_.min_yaw_sigma_deg * kDegree, 2);
-  covariance.diagonal().tail(track.model->modes()).array() +=
-      options_.min_shape_sigma * options_.min_shape_sigma;
+  covariance(3, 3) += std::pow(kLeastYawSigmaDeg * kDegree, 2);
+  covariance.diagonal().tail(track.model->modes()).array() += kLeastShapeSigma * kLeastShapeSigma;
   Eigen::MatrixXd to_camera = Eigen::MatrixXd::Identity(track.unknowns(), track.unknowns());
   to_camera.topLeftCorner<3, 3>() = R_camera_odom;
   covariance = to_camera * covariance * to_camera.transpose();
@@ -154,7 +164,7 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
   const Eigen::Matrix3d R = T_odom_camera.linear();
   const Eigen::Isometry3d& T = result.measured.estimate.T_camera_object;
   const Eigen::Vector3d t = T.translation(), ray = t.normalized();
-  const bool known = track.observations >= options_.min_observations;
+  const bool known = track.observations >= kObservationsBeforeUse;
 
   // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's
   // axes.
@@ -162,17 +172,16 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
   G.block<3, 3>(0, 3) = R;
   G.block<1, 3>(3, 0) = (R.transpose() * track.up_odom).transpose();
   G.block(4, 6, B, B).setIdentity();
-  Eigen::MatrixXd covariance = options_.measurement_scale * options_.measurement_scale * G *
-                               result.measured.covariance * G.transpose();
+  Eigen::MatrixXd covariance =
+      kMeasurementScale * kMeasurementScale * G * result.measured.covariance * G.transpose();
   // The expected distance, not the measured one: near errors would weigh more than far ones.
   const double distance =
       known ? Expected(track, T_odom_camera, track.up_odom).T_camera_object.translation().norm() : t.norm();
-  const double depth_sigma = options_.depth_sigma * distance,
-               lateral_sigma = options_.lateral_sigma * distance;
+  const double depth_sigma = kDepthSigma * distance, lateral_sigma = kLateralSigma * distance;
   covariance.topLeftCorner<3, 3>() += depth_sigma * depth_sigma * R * ray * ray.transpose() * R.transpose();
   covariance.diagonal().head<3>().array() += lateral_sigma * lateral_sigma;
-  covariance(3, 3) += std::pow(options_.yaw_sigma_deg * kDegree, 2);
-  covariance.diagonal().tail(B).array() += options_.shape_sigma * options_.shape_sigma;
+  covariance(3, 3) += std::pow(kYawSigmaDeg * kDegree, 2);
+  covariance.diagonal().tail(B).array() += kTrackShapeSigma * kTrackShapeSigma;
 
   covariance = InUnit(covariance, units_);
 
@@ -198,10 +207,10 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
   // The category's shape statistics out of the measurement, inflated as it was; Solve puts them in once.
   Eigen::MatrixXd without_prior = information;
   without_prior.diagonal().tail(B).array() -=
-      weight / (std::pow(options_.measurement_scale, 2) / result.measured.shape_prior_information +
-                std::pow(options_.shape_sigma, 2));
-  track.normal = options_.fading * track.normal + A.transpose() * without_prior * A;
-  track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
+      weight / (std::pow(kMeasurementScale, 2) / result.measured.shape_prior_information +
+                std::pow(kTrackShapeSigma, 2));
+  track.normal = kFading * track.normal + A.transpose() * without_prior * A;
+  track.right_side = kFading * track.right_side + A.transpose() * information * y;
 }
 
 // log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
@@ -235,9 +244,8 @@ void ObjectTracks::UpdateBelief(Track& track, const ObjectView& view, const Sing
     const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
     const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
     double& cost = track.belief.cost[static_cast<size_t>(bin)];
-    cost = options_.fading * cost -
-           options_.vote_weight *
-               std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
+    cost = kFading * cost -
+           kVoteWeight * std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
     least = std::min(least, cost);
   }
   for (double& cost : track.belief.cost) cost -= least;

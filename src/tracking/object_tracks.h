@@ -31,21 +31,11 @@ namespace armature {
 
 struct TrackOptions {
   bool enabled = true;
-  double fading = 0.96;          // weight of what was known before, with each new observation
-  double measurement_scale = 2;  // multiplies the standard deviations of resection
-  double depth_sigma = 0.08;     // share of the distance, added along the ray: one view's error of size
-  double lateral_sigma =
-      0.025;  // share of the distance, added across the ray: bearing, drift, the centre's definition
-  double yaw_sigma_deg = 4;          // degrees, added to one view's yaw
-  double shape_sigma = 0.5;          // added to one view's coefficients, standard deviations of the category
-  double min_relative_sigma = 0.03;  // share of the distance: a remembered position is never surer
-  double min_yaw_sigma_deg = 2;      // degrees: nor a remembered yaw
-  double min_shape_sigma = 0.4;      // nor a remembered coefficient
-  double vote_weight = 0.6;  // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
-  int min_edges = 3;         // matched edges of an estimate that is learnt from
-  int min_observations = 2;  // before a track is used
-  double max_gap = 20;       // seconds unseen, then it is dropped
+  double max_gap = 20;  // seconds unseen, then a track is dropped
 };
+
+// Matched edges of an estimate that is learnt from; fewer leave pose and shape loose.
+inline constexpr int kLeastLearntEdges = 3;
 
 constexpr int kNoTrack = -1;
 

@@ -25,8 +25,9 @@ std::string NumberMeaning(const RetrievalOptions& options) {
   if (options.covariance) {
     return "in brackets: distance from the estimated coefficients in standard deviations of their covariance";
   }
-  return options.features.space == "raw" ? "in brackets: distance of the coefficients in metres"
-                                         : "in brackets: distance of the coefficients in standard deviations";
+  return options.features.space == FeatureSpace::kRaw
+             ? "in brackets: distance of the coefficients in metres"
+             : "in brackets: distance of the coefficients in standard deviations";
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ FrameResult Process(const cv::Mat& image, const std::vector<Detection>& detectio
   FrameInput input;
   input.detections = detections;
   if (up) {
-    options.up.source = "auto";  // what is given here counts, whatever the preset says
+    options.up.source = UpSource::kAuto;  // what is given here counts, whatever the preset says
     input.T_odom_camera = Eigen::Isometry3d::Identity();
   }
   cv::Mat gray;
