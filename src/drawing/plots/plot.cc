@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/plot.h"
+#include "drawing/plots/plot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/plots/gnuplot.h"
+#include "drawing/plots/gnuplot.h"
 
 namespace armature {
 namespace {

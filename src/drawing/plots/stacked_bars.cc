@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/stacked_bars.h"
+#include "drawing/plots/stacked_bars.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/number_format.h"
-#include "bench/plots/gnuplot.h"
+#include "drawing/plots/gnuplot.h"
 
 namespace armature {
 namespace {
