@@ -34,6 +34,14 @@ File TemporaryFile(const std::string& content) {
   return file;
 }
 
+std::string Content(std::FILE* file) {
+  std::string content;
+  std::array<char, 4096> part;
+  std::rewind(file);
+  while (const size_t size = std::fread(part.data(), 1, part.size(), file)) content.append(part.data(), size);
+  return content;
+}
+
 // Reads the script and writes the picture through files that are open already. What is wrong; empty: nothing.
 std::string Draw(std::FILE* script, std::FILE* svg) {
   try {
@@ -79,6 +87,13 @@ void CheckGnuplot() {
   const File script = TemporaryFile(""), picture = TemporaryFile("");
   const std::string failure = Draw(script.get(), picture.get());
   if (!failure.empty()) throw InputError(failure + ", or leave them out with --no-plots");
+}
+
+std::string RunGnuplot(const std::string& script) {
+  const File input = TemporaryFile(script), output = TemporaryFile("");
+  const std::string failure = Draw(input.get(), output.get());
+  if (!failure.empty()) throw InputError(failure);
+  return Content(output.get());
 }
 
 void RunGnuplot(const std::string& script, const std::filesystem::path& svg) {
