@@ -60,6 +60,16 @@ std::string FoldedStripsHtml(std::span<const RetrievalStrip> strips, bool open) 
 
 }  // namespace
 
+std::string PlotsHtml(const std::vector<ReportPlot>& plots) {
+  if (plots.empty()) return "";
+  std::string html = "<div class=\"plots\">\n";
+  for (const ReportPlot& plot : plots) {
+    html += fmt::format("<figure>\n<figcaption><b>{}</b> {}</figcaption>\n{}</figure>\n",
+                        EscapedHtml(plot.sequence), EscapedHtml(plot.caption), ImageHtml(plot.picture));
+  }
+  return html + "</div>\n";
+}
+
 std::string OverlaysHtml(const std::vector<OverlayFrame>& frames) {
   std::string html = "<div class=\"gallery\">\n";
   for (const OverlayFrame& frame : frames) html += FrameHtml(frame);

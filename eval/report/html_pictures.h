@@ -9,6 +9,9 @@
 
 namespace armature {
 
+// Side by side where there is room; nothing of none.
+std::string PlotsHtml(const std::vector<ReportPlot>& plots);
+
 // Frames side by side, as many as fit.
 std::string OverlaysHtml(const std::vector<OverlayFrame>& frames);
 

@@ -35,8 +35,9 @@ std::string SectionHtml(const PageSection& section) {
 
 std::string Footer() {
   return fmt::format(
-      "<footer>\n<p>Written by <code>armature report</code>. Plots by d3.js (BSD-3-Clause), 3D views by "
-      "three.js (MIT), both inlined.</p>\n<details><summary>Their "
+      "<footer>\n<p>Written by <code>armature report</code>. Plots by gnuplot, maps by d3.js (BSD-3-Clause), "
+      "3D "
+      "views by three.js (MIT), both inlined.</p>\n<details><summary>Their "
       "licences</summary><pre>{}</pre></details>\n</footer>\n",
       EscapedHtml(ReportLicences()));
 }

@@ -50,8 +50,8 @@ std::string TablesHtml(const ReportData& data, ReportSection section) {
 }
 
 // A figure for a script to fill.
-std::string PlotHtml(const std::string& kind, size_t index, const std::string& title,
-                     const std::string& caption) {
+std::string ScriptedHtml(const std::string& kind, size_t index, const std::string& title,
+                         const std::string& caption) {
   return fmt::format(
       "<figure class=\"plot\" data-plot=\"{}\" data-index=\"{}\">\n<figcaption><b>{}</b> {}</figcaption>\n"
       "<noscript><p>This figure is drawn by a script, and scripts are switched "
@@ -62,42 +62,23 @@ std::string PlotHtml(const std::string& kind, size_t index, const std::string& t
 std::string MapsHtml(const ReportData& data) {
   std::string html;
   for (size_t i = 0; i < data.maps.size(); ++i) {
-    html += PlotHtml("maps", i, data.maps[i].sequence, data.maps[i].note);
+    html += ScriptedHtml("maps", i, data.maps[i].sequence, data.maps[i].note);
   }
   return html;
 }
 
 std::string ScenesHtml(const ReportData& data) {
   if (data.scenes.empty()) return "";
-  return PlotHtml("scenes", 0, "",
-                  "Drag to turn, wheel to come nearer, right button to move; a square is 1 m.");
-}
-
-std::string CurvesHtml(const std::vector<TimeCurves>& curves) {
-  if (curves.empty()) return "";
-  std::string html = "<div class=\"plots\">\n";
-  for (size_t i = 0; i < curves.size(); ++i) {
-    html += PlotHtml("curves", i, curves[i].sequence,
-                     fmt::format("{} against {}: medians, bands from the 10th to the 90th percentile",
-                                 curves[i].y_label, curves[i].x_label));
-  }
-  return html + "</div>\n";
+  return ScriptedHtml("scenes", 0, "",
+                      "Drag to turn, wheel to come nearer, right button to move; a square is 1 m.");
 }
 
 std::string TimingHtml(const ReportData& data) {
-  std::string html;
-  for (size_t i = 0; i < data.stages.size(); ++i) {
-    html += PlotHtml("stages", i, data.stages[i].sequence, data.stages[i].caption);
-  }
-  return html + CurvesHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
+  return PlotsHtml(data.stages) + PlotsHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
 }
 
 std::string AblationHtml(const ReportData& data) {
-  std::string html;
-  for (size_t i = 0; i < data.ablations.size(); ++i) {
-    html += PlotHtml("ablations", i, data.ablations[i].sequence, data.ablations[i].caption);
-  }
-  return html + TablesHtml(data, ReportSection::kAblation);
+  return PlotsHtml(data.ablations) + TablesHtml(data, ReportSection::kAblation);
 }
 
 std::string RetrievalHtml(const ReportData& data) {
@@ -127,7 +108,7 @@ std::vector<PageSection> ReportSections(const ReportData& data) {
       {"timing", "Timing", TimingHtml(data)},
       {"retrieval", "Retrieved CAD models", RetrievalHtml(data)},
       {"ablation", "Normal term", AblationHtml(data)},
-      {"other", "Further tables", TablesHtml(data, ReportSection::kOther)},
+      {"other", "Further tables", TablesHtml(data, ReportSection::kFurther)},
       {"environment", "Environment", EnvironmentHtml(data)}};
   std::erase_if(sections, [](const PageSection& section) { return section.html.empty(); });
   return sections;

@@ -12,6 +12,7 @@
 #include "eval/report/bench_results.h"
 #include "eval/report/headline.h"
 #include "eval/report/overlay_frames.h"
+#include "eval/report/report_plots.h"
 #include "eval/report/retrieval_strips.h"
 #include "eval/report/run_environment.h"
 #include "eval/report/scene_view.h"
@@ -36,7 +37,7 @@ ReportSection FindSection(const std::string& table) {
        {"paper", "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
     if (table == name) return ReportSection::kAccuracy;
   }
-  return ReportSection::kOther;
+  return ReportSection::kFurther;
 }
 
 // What is looked for first comes first, whatever the order in which it was evaluated.
@@ -55,17 +56,17 @@ void AddTables(const ReportSources& sources, ReportData& data) {
     data.tables.push_back({section, std::move(table)});
   }
   AddAll(LocalizationFigures(sources.tables), data.headline);
-  data.ablations = NormalTermBars(sources.tables);
+  data.ablations = DrawAblationBars(NormalTermBars(sources.tables), data.remarks);
 }
 
 // The headline is of the first benchmark that has one.
 void AddBenches(const ReportSources& sources, ReportData& data) {
   bool has_headline = false;
   for (const std::filesystem::path& folder : sources.benches) {
-    BenchResults bench = ReadBenchResults(folder);
+    const BenchResults bench = ReadBenchResults(folder);
     for (const Table& table : bench.tables) data.tables.push_back({ReportSection::kTiming, table});
-    AddAll(MakeStageBars(bench), data.stages);
-    AddAll(std::move(bench.curves), data.curves);
+    AddAll(DrawStageBars(MakeStageBars(bench), bench.objects, data.remarks), data.stages);
+    AddAll(DrawTimeCurves(bench.curves, data.remarks), data.curves);
     MergeEnvironment(bench.environment, data.environment);
     if (has_headline) continue;
     std::vector<HeadlineFigure> figures = TimingFigures(bench);

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "geometry/mesh_shapes.h"
 #include "io/box_table.h"
-#include "io/ply_mesh.h"
+#include "io/ply_reader.h"
 #include "io/text_mesh.h"
 
 namespace armature {

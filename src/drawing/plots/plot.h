@@ -34,4 +34,7 @@ struct Plot {
 // have different lengths or there is nothing to draw.
 void WriteSvg(const Plot& plot, const std::filesystem::path& svg);
 
+// The same as the text of such a file.
+std::string DrawSvg(const Plot& plot);
+
 }  // namespace armature

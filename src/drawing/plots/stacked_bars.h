@@ -16,8 +16,9 @@ struct StackedBars {
 
   std::string title;
   std::string unit = "ms";
-  std::vector<std::string> stages;
-  std::vector<Bar> bars;  // from the top
+  int digits = 1;                   // of the totals, after the point
+  std::vector<std::string> stages;  // in the legend; an empty name is not there
+  std::vector<Bar> bars;            // from the top
 };
 
 // An SVG file on white, 900x560 or higher for many bars; the totals stand beside the bars. The axis is
@@ -25,5 +26,8 @@ struct StackedBars {
 // longest, a second panel below shows them enlarged, the long ones cut. Throws InputError as RunGnuplot,
 // std::logic_error when a bar has another number of parts than there are stages, or every bar is empty.
 void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg);
+
+// The same as the text of such a file.
+std::string DrawSvg(const StackedBars& bars);
 
 }  // namespace armature

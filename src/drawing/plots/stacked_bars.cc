@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/stacked_bars.h"
+#include "drawing/plots/stacked_bars.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/number_format.h"
-#include "bench/plots/gnuplot.h"
+#include "drawing/plots/gnuplot.h"
 
 namespace armature {
 namespace {
@@ -56,7 +56,8 @@ std::string BarNames(const StackedBars& bars) {
   for (size_t i = 0; i < bars.bars.size(); ++i) {
     tics += fmt::format("{}{} {}", i == 0 ? "" : ", ", GnuplotText(bars.bars[i].name), -static_cast<int>(i));
     labels += fmt::format("set label {} at graph 1.01, first {}\n",
-                          GnuplotText(Fixed(Total(bars.bars[i]), 1) + " " + bars.unit), -static_cast<int>(i));
+                          GnuplotText(Fixed(Total(bars.bars[i]), bars.digits) + " " + bars.unit),
+                          -static_cast<int>(i));
   }
   return "set ytics (" + tics + ") scale 0\n" + labels;
 }
@@ -81,9 +82,7 @@ std::optional<double> EnlargedLimit(const StackedBars& bars, double longest) {
   return small > 0 ? std::optional(1.25 * small) : std::nullopt;
 }
 
-}  // namespace
-
-void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) {
+std::string Script(const StackedBars& bars) {
   CheckBars(bars);
   const double longest = LongestBelow(bars, 1e300);
   const std::optional<double> enlarged = EnlargedLimit(bars, longest);
@@ -100,7 +99,13 @@ void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) {
         Panel(bars, fmt::format("the same up to {} {}", Fixed(*enlarged, 1), bars.unit), *enlarged, false);
     script += "unset multiplot\n";
   }
-  RunGnuplot(script, svg);
+  return script;
 }
+
+}  // namespace
+
+void WriteSvg(const StackedBars& bars, const std::filesystem::path& svg) { RunGnuplot(Script(bars), svg); }
+
+std::string DrawSvg(const StackedBars& bars) { return RunGnuplot(Script(bars)); }
 
 }  // namespace armature

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/section_plots.h"
+#include "bench/sections/section_plots.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "base/paper_figures.h"
-#include "bench/plots/plot.h"
-#include "bench/plots/stacked_bars.h"
 #include "bench/spans.h"
+#include "drawing/plots/plot.h"
+#include "drawing/plots/stacked_bars.h"
 
 namespace armature {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/plot.h"
+#include "drawing/plots/plot.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bench/plots/gnuplot.h"
+#include "drawing/plots/gnuplot.h"
 
 namespace armature {
 namespace {
@@ -83,9 +83,7 @@ std::string DrawSeries(const PlotSeries& series, size_t index) {
   return draw + fmt::format("$data{} using 1:2 {} {}", index, FormatStyle(series, colour), title);
 }
 
-}  // namespace
-
-void WriteSvg(const Plot& plot, const std::filesystem::path& svg) {
+std::string Script(const Plot& plot) {
   CheckColumns(plot);
   std::string script = SvgHeader() + XRange(plot) + (plot.log_y ? "set logscale y\n" : "set yrange [0:]\n");
   script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", GnuplotText(plot.title),
@@ -96,7 +94,13 @@ void WriteSvg(const Plot& plot, const std::filesystem::path& svg) {
     script += DataBlock(plot, i);
     draw += fmt::format("{}{}", draw.empty() ? "plot " : ", \\\n", DrawSeries(plot.series[i], i));
   }
-  RunGnuplot(script + draw + "\n", svg);
+  return script + draw + "\n";
 }
+
+}  // namespace
+
+void WriteSvg(const Plot& plot, const std::filesystem::path& svg) { RunGnuplot(Script(plot), svg); }
+
+std::string DrawSvg(const Plot& plot) { return RunGnuplot(Script(plot)); }
 
 }  // namespace armature

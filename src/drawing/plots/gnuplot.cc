@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/plots/gnuplot.h"
+#include "drawing/plots/gnuplot.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -13,7 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 
 namespace armature {
@@ -36,37 +34,26 @@ File TemporaryFile(const std::string& content) {
   return file;
 }
 
-// Reads the script and writes the picture through files that are open already. 0 or an errno.
-int Spawn(std::FILE* script, std::FILE* svg, pid_t& child) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, fileno(script), STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, fileno(svg), STDOUT_FILENO);
-  // -d: no settings of the user's own.
-  std::array<char*, 4> arguments = {const_cast<char*>("gnuplot"), const_cast<char*>("-d"),
-                                    const_cast<char*>("-"), nullptr};
-  const int failure = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return failure;
+std::string Content(std::FILE* file) {
+  std::string content;
+  std::array<char, 4096> part;
+  std::rewind(file);
+  while (const size_t size = std::fread(part.data(), 1, part.size(), file)) content.append(part.data(), size);
+  return content;
 }
 
-bool Succeeded(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return false;
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
-// What is wrong; empty: nothing.
+// Reads the script and writes the picture through files that are open already. What is wrong; empty: nothing.
 std::string Draw(std::FILE* script, std::FILE* svg) {
-  pid_t child = 0;
-  if (const int failure = Spawn(script, svg, child); failure != 0) {
+  try {
+    // -d: no settings of the user's own.
+    ChildProcess gnuplot(
+        {.program = "gnuplot", .arguments = {"-d", "-"}, .input = fileno(script), .output = fileno(svg)});
+    if (gnuplot.Wait() == 0) return "";
+  } catch (const std::system_error& error) {
     return fmt::format(
         "cannot start gnuplot, which draws the plots: {}; install it (apt-get install gnuplot-nox)",
-        std::strerror(failure));
+        error.code().message());
   }
-  if (Succeeded(child)) return "";
   return "gnuplot failed, its reason is above; 5.4 or later is needed (apt-get install gnuplot-nox)";
 }
 
@@ -100,6 +87,13 @@ void CheckGnuplot() {
   const File script = TemporaryFile(""), picture = TemporaryFile("");
   const std::string failure = Draw(script.get(), picture.get());
   if (!failure.empty()) throw InputError(failure + ", or leave them out with --no-plots");
+}
+
+std::string RunGnuplot(const std::string& script) {
+  const File input = TemporaryFile(script), output = TemporaryFile("");
+  const std::string failure = Draw(input.get(), output.get());
+  if (!failure.empty()) throw InputError(failure);
+  return Content(output.get());
 }
 
 void RunGnuplot(const std::string& script, const std::filesystem::path& svg) {

@@ -24,8 +24,10 @@ std::string SvgHeader(int height = 560);
 // Throws InputError when gnuplot is not there: to know before long work whose pictures would be missing.
 void CheckGnuplot();
 
-// Runs the script; its picture becomes the file. Throws InputError when there is no gnuplot, it fails, or the
-// file cannot be written.
+// Runs the script; returns its picture. Throws InputError when there is no gnuplot or it fails.
+std::string RunGnuplot(const std::string& script);
+
+// The picture becomes the file. Throws InputError also when the file cannot be written.
 void RunGnuplot(const std::string& script, const std::filesystem::path& svg);
 
 }  // namespace armature

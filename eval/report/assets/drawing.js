@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the plots share.
+// What the maps and scenes share.
 
 // The colour of the i-th of several things, as a CSS value.
 const colour = (i) => `var(--c${i % 8})`;
@@ -35,21 +35,4 @@ function freshSvg(node, width, height, label) {
       .attr('viewBox', [0, 0, width, height])
       .attr('role', 'img')
       .attr('aria-label', label);
-}
-
-// Milliseconds with three digits that say something.
-const milliseconds = (value) => value === 0 ? '0' : Number(value.toPrecision(3)).toString();
-
-// The room that the longest text takes, at about 6.5 a letter, but not more than a third of the width.
-const labelWidth = (texts, width) => Math.min(width / 3, 12 + 6.5 * d3.max(texts, (text) => text.length));
-
-// A text that is cut where the room ends; the whole one is its title.
-function cutText(selection, text, room) {
-  selection
-      .text((item) => {
-        const whole = text(item), letters = Math.floor(room / 6.5);
-        return whole.length <= letters ? whole : `${whole.slice(0, Math.max(letters - 1, 1))}…`;
-      })
-      .append('title')
-      .text(text);
 }
