@@ -27,21 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Named as in tables, where runs on one sequence are told apart.
-std::vector<ReportSources::Run> NamedRuns(const std::vector<RunToEvaluate>& runs) {
-  std::map<std::string, std::vector<fs::path>> folders_of;
-  for (const RunToEvaluate& run : runs) folders_of[run.run.sequence].push_back(run.run.folder);
-  std::map<std::string, std::vector<std::string>> names_of;
-  for (const auto& [sequence, folders] : folders_of) names_of[sequence] = RunNames(folders, sequence);
-  std::vector<ReportSources::Run> named;
-  std::map<std::string, size_t> seen;
-  for (const RunToEvaluate& run : runs) {
-    const std::string& sequence = run.run.sequence;
-    named.push_back({run.run.folder, run.truth, names_of[sequence][seen[sequence]++]});
-  }
-  return named;
-}
-
 std::vector<Table> ReadEvaluation(const fs::path& folder) {
   const fs::path file = folder / "eval.json";
   if (!SaysComplete(file))
