@@ -81,8 +81,9 @@ BenchResults ReadResults(const Json& json, const std::filesystem::path& file) {
   BenchResults results;
   results.tables = TablesFromJson(json.at("tables"), file.string());
   results.spans = ReadBenchRecord(file).spans;
+  for (const Json& ratio : json.at("ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
   results.curves = MakeCurves(json);
-  results.objects = json.at("settings").value("objects", results.objects);
+  results.objects = json.at("settings").at("objects").get<size_t>();
   results.environment = ListEnvironment(json.at("environment"));
   return results;
 }

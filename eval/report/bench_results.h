@@ -30,6 +30,7 @@ struct StageBars {
 struct BenchResults {
   std::vector<Table> tables;     // their names are those of their sections: "comparison", "objects", ...
   std::vector<NamedSpan> spans;  // milliseconds
+  std::vector<NamedRatio> ratios;
   std::vector<TimeCurves> curves;
   size_t objects = 3;  // of the compared frames
   std::vector<std::pair<std::string, std::string>> environment;

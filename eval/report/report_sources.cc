@@ -55,8 +55,8 @@ void AddTables(const ReportSources& sources, ReportData& data) {
     const ReportSection section = FindSection(table.name);
     data.tables.push_back({section, std::move(table)});
   }
-  AddAll(LocalizationFigures(sources.tables), data.headline);
-  data.ablations = DrawAblationBars(NormalTermBars(sources.tables), data.remarks);
+  AddAll(LocalizationFigures(sources.records), data.headline);
+  data.ablations = DrawAblationBars(NormalTermBars(sources.records.uprightness), data.remarks);
 }
 
 // The headline is of the first benchmark that has one.
@@ -107,7 +107,7 @@ ReportData CollectReport(const ReportSources& sources) {
   for (const ReportSources::Run& run : sources.runs)
     MergeEnvironment(RunEnvironment(run.folder), data.environment);
   AddBenches(sources, data);
-  AddAll(RetrievalFigures(sources.tables), data.headline);
+  AddAll(RetrievalFigures(sources.records), data.headline);
   for (const SequenceRuns& sequence : LoadSequenceRuns(sources, data.remarks))
     AddSequence(sequence, sources, data);
   if (!data.strips.empty() && sources.library.categories.empty())

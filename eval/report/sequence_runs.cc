@@ -66,12 +66,12 @@ std::optional<ShownMap> OwnMap(const LoadedRun& run, bool by_odometry) {
   std::vector<PlacedObject> objects = ReadPlacedObjects(file);
   if (objects.empty()) return std::nullopt;
   return ShownMap{
-      ApproachName(by_odometry, run.configuration), ReadTumTrajectory(cameras), std::move(objects), {}};
+      FindApproach(by_odometry, run.configuration), ReadTumTrajectory(cameras), std::move(objects), {}};
 }
 
 void BringToTruth(const SequenceTruth& truth, const std::vector<CategorySpec>& specs, LoadedRun& run) {
   for (EvaluatedMap& evaluated : EvaluateRunObjects(run.results, truth, specs, {}).maps) {
-    std::optional<ShownMap>& map = evaluated.by_odometry ? run.odometry : run.map;
+    std::optional<ShownMap>& map = evaluated.is_by_odometry() ? run.odometry : run.map;
     if (!map) continue;
     map->T_world_camera = Moved(std::move(map->T_world_camera), evaluated.T_truth_run);
     map->objects = Moved(std::move(map->objects), evaluated.T_truth_run);

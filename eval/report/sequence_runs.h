@@ -16,7 +16,7 @@ namespace armature {
 
 // One of a run's two maps. World: the true one where there is a truth, else the run's own. Metres.
 struct ShownMap {
-  std::string approach;  // see EvaluatedMap
+  Approach approach = Approach::kObjects;
   std::vector<TimedPose> T_world_camera;
   std::vector<PlacedObject> objects;
   std::vector<EvaluatedObject> evaluated;  // matched by distance, as the tables have it; empty: no truth
