@@ -31,10 +31,8 @@ BenchReport TwoEngines() {
   span("keypoints:hourglass", "detection", 440);
   span("keypoints:hourglass", "optimization", 10);
   span("keypoints:hourglass", "total", 450);
-  Table ratios;
-  ratios.columns = {"engine", "n", "times lines:default"};
-  ratios.rows = {{TextCell("keypoints:hourglass"), CountCell(5), NumberCell(74.5, 2)}};
-  section.tables = {ratios};
+  section.ratios = {
+      {"comparison", "seq1", "keypoints:hourglass", "lines:default", ComputeStatistics({74.5}).value()}};
   for (const char* engine : {"lines:default", "keypoints:hourglass"}) {
     BenchSeries series{.contender = engine, .x_label = "objects", .y_label = "total [ms]"};
     series.points = {{1, Milliseconds(3)}, {20, Milliseconds(9)}};
@@ -65,7 +63,7 @@ TEST_F(ReportBench, TimesBesideThePapers) {
   ASSERT_EQ(figures.size(), 3u);
   EXPECT_EQ(figures[0].ours, "6.00 ms");
   EXPECT_EQ(figures[0].paper, "360.25 ms");
-  EXPECT_EQ(figures[1].ours, "74.5 times");  // the table's, of pairs; not 450 / 6
+  EXPECT_EQ(figures[1].ours, "74.5 times");  // of pairs; not 450 / 6
   EXPECT_EQ(figures[1].paper, "2.37 times");
   EXPECT_EQ(figures[2].ours, "450.00 ms");
   EXPECT_EQ(figures[2].paper, "855.00 ms");
@@ -142,6 +140,15 @@ TEST_F(ReportBench, WithoutGnuplotARemarkStandsForThePlots) {
   EXPECT_TRUE(DrawTimeCurves(bench.curves, remarks).empty());
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_TRUE(remarks[0].starts_with("The plots are left out: cannot start gnuplot")) << remarks[0];
+}
+
+TEST_F(ReportBench, AMissingKeyIsNamed) {
+  const Json whole = json_;
+  json_["ratios"][0].erase("reference");
+  ExpectRefusedBench({"bench.json", "'reference'"});
+  json_ = whole;
+  json_["settings"].erase("objects");
+  ExpectRefusedBench({"bench.json", "'objects'"});
 }
 
 TEST_F(ReportBench, BadFilesAreRefused) {
