@@ -5,11 +5,8 @@
 #include <cmath>
 
 #include "bench/guard/calibration.h"
-#include "bench/micro/micro_association.h"
 #include "bench/micro/micro_benchmarks.h"
-#include "bench/micro/micro_neighbours.h"
-#include "bench/micro/micro_pose_graph.h"
-#include "bench/micro/micro_resection.h"
+#include "bench/micro/micro_families.h"
 #include "geometry/viewpoint.h"
 #include "io/category_yaml.h"
 #include "support/category_examples.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_association.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "bench/micro/micro_families.h"
 #include "geometry/rotation.h"
 
 namespace armature {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_resection.h"
 
 #include <algorithm>
 #include <memory>
 
-#include "bench/micro/micro_association.h"
+#include "bench/micro/micro_families.h"
 
 namespace armature {
 namespace {

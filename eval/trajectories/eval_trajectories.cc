@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "cli/help.h"
 #include "eval/trajectories/trajectory_tables.h"
-#include "io/trajectory_formats.h"
+#include "io/trajectory.h"
 #include "truth/ground_truth.h"
 
 namespace armature {

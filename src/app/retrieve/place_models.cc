@@ -6,7 +6,7 @@
 #include "base/errors.h"
 #include "drawing/map_picture.h"
 #include "io/atomic_write.h"
-#include "io/image_writer.h"
+#include "io/image.h"
 #include "io/mesh_file.h"
 #include "io/ply_text.h"
 #include "retrieval/sightings.h"

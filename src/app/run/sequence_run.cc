@@ -19,7 +19,6 @@
 #include "base/stage_clock.h"
 #include "drawing/overlay.h"
 #include "io/image.h"
-#include "io/image_writer.h"
 #include "io/run_writer.h"
 #include "pipeline/frame_pipeline.h"
 #include "pipeline/one_ahead.h"
