@@ -11,11 +11,11 @@
 #include "bench/bench_output.h"
 #include "bench/bench_plan.h"
 #include "bench/guard/regression_guard.h"
-#include "bench/plots/gnuplot.h"
-#include "bench/plots/section_plots.h"
 #include "bench/sections/bench_tables.h"
+#include "bench/sections/section_plots.h"
 #include "cli/help.h"
 #include "cli/printed_tables.h"
+#include "drawing/plots/gnuplot.h"
 
 namespace armature {
 namespace {

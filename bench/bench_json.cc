@@ -44,6 +44,7 @@ void AddSection(const BenchSection& section, Json& json) {
                               {"frames_counted", section.frames},
                               {"frames_discarded", section.warmed_up},
                               {"runs_counted", section.rows.size()}});
+  for (const NamedRatio& ratio : section.ratios) json["ratios"].push_back(NamedRatioJson(ratio));
   for (const BenchSeries& series : section.series) json["series"].push_back(SeriesJson(section, series));
   for (Table table : section.tables) {
     table.name = section.name;
@@ -70,7 +71,7 @@ std::string BenchJson(const BenchEnvironment& environment, const Json& settings,
   Json json{{"program", "armature bench"}, {"environment", EnvironmentJson(environment)}};
   json["settings"] = settings;
   AddBenchRecord(MakeRecord(environment, report), json);
-  for (const char* list : {"sections", "series", "tables"}) json[list] = Json::array();
+  for (const char* list : {"sections", "ratios", "series", "tables"}) json[list] = Json::array();
   for (const BenchSection& section : report.sections) AddSection(section, json);
   json["complete"] = true;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -10,9 +10,9 @@
 
 namespace armature {
 
-// {"program", "environment", "settings", "schema", "calibration_ms" and "spans": see span_json.h, "sections":
-// what was counted and discarded, "series", "tables", "complete": true}; ends with a line break. `settings`:
-// an object with every argument and option of the call.
+// {"program", "environment", "settings", "schema", "calibration_ms", "spans" and "ratios": see
+// io/bench_record.h, "sections": what was counted and discarded, "series", "tables", "complete": true}; ends
+// with a line break. `settings`: an object with every argument and option of the call.
 std::string BenchJson(const BenchEnvironment& environment, const nlohmann::ordered_json& settings,
                       const BenchReport& report);
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/plots/section_plots.h"
+#include "bench/sections/section_plots.h"
 #include "cli/printed_tables.h"
 #include "io/atomic_write.h"
 #include "io/run_folder.h"

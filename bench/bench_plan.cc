@@ -14,7 +14,6 @@
 #include "bench/sections/bench_tables.h"
 #include "bench/sections/comparison_section.h"
 #include "bench/sections/memory_section.h"
-#include "bench/sections/micro_section.h"
 #include "bench/sections/pipelined_section.h"
 #include "category/category_lookup.h"
 

@@ -34,6 +34,7 @@ struct BenchSection {
   size_t warmed_up = 0;  // frames that were processed before, but not counted
   std::vector<Table> tables{};
   std::vector<NamedSpan> spans{};
+  std::vector<NamedRatio> ratios{};
   std::vector<BenchSeries> series{};
   std::vector<BenchRow> rows{};          // without estimates
   std::vector<double> calibration_ms{};  // passes of the calibration loop, which took turns with the rows

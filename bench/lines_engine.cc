@@ -5,10 +5,10 @@
 
 namespace armature {
 
-std::unique_ptr<FramePipeline> MakePipeline(Options options, const std::vector<CategoryModel>& models,
+std::unique_ptr<FramePipeline> MakePipeline(const Options& options, const std::vector<CategoryModel>& models,
                                             const BenchSequence& sequence) {
-  if (sequence.odometry_metric) options.mapping.scale = "none";
-  return std::make_unique<FramePipeline>(options, sequence.camera, models, sequence.up_odom);
+  return std::make_unique<FramePipeline>(options, sequence.camera, models, sequence.up_odom,
+                                         sequence.odometry_metric);
 }
 
 LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
@@ -16,11 +16,11 @@ LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)
 
 std::string LinesEngine::Description() const {
   const LineOptions& lines = options_.lines;
-  const bool is_scaled = lines.detector == "edgedrawing" && !lines.published;
+  const bool is_scaled = lines.detector == LineDetectorKind::kEdgeDrawing && !lines.published;
   return fmt::format(
       "our pipeline, as `armature run` processes a frame, with {} ({} parameters{}) in {}; the map's "
       "solution after the last frame is not part of it",
-      lines.detector, lines.published ? "published" : "tuned",
+      ToName(lines.detector), lines.published ? "published" : "tuned",
       is_scaled ? fmt::format(", at {:g} of the image's size", lines.edgedrawing_scale) : "",
       lines.boxes_only ? "the boxes only" : "the whole image");
 }

@@ -12,7 +12,7 @@
 namespace armature {
 
 // The pipeline for a sequence, as `armature run` sets it up.
-std::unique_ptr<FramePipeline> MakePipeline(Options options, const std::vector<CategoryModel>& models,
+std::unique_ptr<FramePipeline> MakePipeline(const Options& options, const std::vector<CategoryModel>& models,
                                             const BenchSequence& sequence);
 
 class LinesEngine : public Engine {

@@ -4,8 +4,6 @@
 #include <fcntl.h>
 #include <malloc.h>
 #include <poll.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -17,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/child_process.h"
 #include "base/errors.h"
 #include "base/interrupt.h"
 
@@ -42,9 +41,8 @@ void Send(int pipe, const void* bytes, size_t size) {
   if (write(pipe, bytes, size) < 0) _exit(kFailed);
 }
 
-// Sends what is resident, then the message of what was thrown. Never returns: what the parent registered to
-// run at exit is the parent's.
-[[noreturn]] void RunChild(const std::function<void()>& work, int pipe) {
+// Sends what is resident, then the message of what was thrown.
+int WorkAndTell(const std::function<void()>& work, int pipe) {
   Silence();
   const double before = ResidentMegabytes();
   Send(pipe, &before, sizeof before);
@@ -52,49 +50,41 @@ void Send(int pipe, const void* bytes, size_t size) {
     work();
   } catch (const InputError& error) {
     Send(pipe, error.what(), std::strlen(error.what()));
-    _exit(kBadInput);
+    return kBadInput;
   } catch (const std::exception& error) {
     Send(pipe, error.what(), std::strlen(error.what()));
-    _exit(kFailed);
+    return kFailed;
   }
-  _exit(kDone);
+  return kDone;
 }
 
-ssize_t ReadSome(int pipe, std::array<char, 4096>& part, pid_t child) {
+ssize_t ReadSome(int pipe, std::array<char, 4096>& part, ChildProcess& child) {
   constexpr int kBetweenLooks = 100;  // milliseconds
   pollfd waiting{pipe, POLLIN, 0};
   while (poll(&waiting, 1, kBetweenLooks) <= 0) {
-    if (InterruptSignal() != 0) kill(child, SIGKILL);
+    if (InterruptSignal() != 0) child.Signal(SIGKILL);
   }
   return read(pipe, part.data(), part.size());
 }
 
 // Until the child ends, at once if the user stops the program.
-std::string ReadAll(int pipe, pid_t child) {
+std::string ReadAll(int pipe, ChildProcess& child) {
   std::string all;
   std::array<char, 4096> part;
   for (ssize_t size = 0; (size = ReadSome(pipe, part, child)) != 0;) {
     if (size > 0) all.append(part.data(), static_cast<size_t>(size));
     if (size < 0 && errno != EINTR) break;
   }
-  close(pipe);
   return all;
 }
 
-rusage WaitFor(pid_t child, int& status) {
-  rusage usage{};
-  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
-  }
-  return usage;
-}
-
 void CheckEnd(int status, const std::string& message) {
-  if (WIFSIGNALED(status)) {
+  if (status < 0) {
     throw std::runtime_error(std::string("measuring memory: the child process was ended by signal ") +
-                             strsignal(WTERMSIG(status)));
+                             strsignal(-status));
   }
-  if (WEXITSTATUS(status) == kBadInput) throw InputError(message);
-  if (WEXITSTATUS(status) != kDone) throw std::runtime_error("measuring memory: " + message);
+  if (status == kBadInput) throw InputError(message);
+  if (status != kDone) throw std::runtime_error("measuring memory: " + message);
 }
 
 }  // namespace
@@ -102,21 +92,17 @@ void CheckEnd(int status, const std::string& message) {
 PeakMemory MeasurePeakMemory(const std::function<void()>& work) {
   std::fflush(nullptr);  // or the child could write it a second time
   malloc_trim(0);
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error("measuring memory: no pipe");
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("measuring memory: no further process can be started");
-  if (child == 0) RunChild(work, ends[1]);
-  close(ends[1]);
-  const std::string sent = ReadAll(ends[0], child);
-  int status = 0;
-  const rusage usage = WaitFor(child, status);
+  auto [from_child, to_parent] = OpenPipe();
+  ChildProcess child([&work, &pipe = to_parent] { return WorkAndTell(work, pipe.number()); });
+  { const FileDescriptor closed = std::move(to_parent); }  // the child's alone, so that it ends with it
+  const std::string sent = ReadAll(from_child.number(), child);
+  const int status = child.Wait();
   ThrowIfInterrupted();
   PeakMemory memory;
   const size_t head = std::min(sent.size(), sizeof memory.before_mb);
   std::memcpy(&memory.before_mb, sent.data(), head);
   CheckEnd(status, sent.substr(head));
-  memory.peak_mb = static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts kilobytes
+  memory.peak_mb = child.peak_mb();
   return memory;
 }
 

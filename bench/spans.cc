@@ -79,6 +79,19 @@ std::vector<NamedSpan> CollectSpans(const std::string& table, const std::string&
   return spans;
 }
 
+std::vector<NamedRatio> CollectRatios(const std::string& table, const std::string& sequence,
+                                      const std::vector<BenchRow>& rows,
+                                      const std::vector<std::string>& contenders) {
+  std::vector<NamedRatio> ratios;
+  const std::string& reference = contenders.front();
+  for (const std::string& contender : contenders) {
+    if (contender == reference) continue;
+    const auto ratio = ComputeStatistics(PairedRatios(rows, contender, reference));
+    if (ratio) ratios.push_back({table, sequence, contender, reference, *ratio});
+  }
+  return ratios;
+}
+
 std::vector<double> PairedRatios(const std::vector<BenchRow>& rows, const std::string& other,
                                  const std::string& reference) {
   std::map<std::pair<size_t, size_t>, double> reference_ms;  // by repetition and input

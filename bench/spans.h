@@ -35,6 +35,11 @@ std::vector<NamedSpan> CollectSpans(const std::string& table, const std::string&
                                     const std::vector<BenchRow>& rows,
                                     const std::vector<std::string>& contenders);
 
+// Of each other contender over the first, where they have runs in common.
+std::vector<NamedRatio> CollectRatios(const std::string& table, const std::string& sequence,
+                                      const std::vector<BenchRow>& rows,
+                                      const std::vector<std::string>& contenders);
+
 // Of two contenders in the same runs: the other's total over the reference's.
 std::vector<double> PairedRatios(const std::vector<BenchRow>& rows, const std::string& other,
                                  const std::string& reference);

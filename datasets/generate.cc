@@ -20,7 +20,7 @@
 #include "datasets/simulation/true_edges.h"
 #include "datasets/simulation/visible_objects.h"
 #include "geometry/random.h"
-#include "io/image_writer.h"
+#include "io/image.h"
 
 namespace armature {
 namespace {

@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/interrupt.h"
@@ -12,14 +16,54 @@
 #include "base/progress.h"
 #include "cli/data_folders.h"
 #include "cli/help.h"
-#include "datasets/contact_sheet.h"
 #include "datasets/scene/scene_yaml.h"
-#include "io/image_writer.h"
+#include "io/image.h"
+#include "io/sequence.h"
 
 namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of the contact sheet; rows of one sequence, pixels of a picture and between.
+constexpr int kColumns = 5, kRows = 2, kWidth = 240, kMargin = 4;
+
+// Pictures evenly over the sequence; fewer when it has fewer.
+std::vector<cv::Mat3b> Thumbnails(const std::filesystem::path& sequence) {
+  const std::vector<ImageEntry> images = ReadImageList(sequence / "rgb.txt");
+  const size_t wanted = std::min<size_t>(kColumns * kRows, images.size());
+  std::vector<cv::Mat3b> thumbnails;
+  for (size_t i = 0; i < wanted; ++i) {
+    const ImageResult read = ReadImage(images[i * images.size() / wanted].file);
+    if (!read.image) throw InputError(read.error);
+    const cv::Mat& image = *read.image;
+    cv::Mat3b small;
+    cv::resize(image, small, {kWidth, kWidth * image.rows / image.cols}, 0, 0, cv::INTER_AREA);
+    thumbnails.push_back(small);
+  }
+  return thumbnails;
+}
+
+// Below `sheet`, with a margin.
+void Append(const std::vector<cv::Mat3b>& thumbnails, cv::Mat3b* sheet) {
+  const int step_x = kWidth + kMargin, step_y = thumbnails.front().rows + kMargin;
+  const int rows = (static_cast<int>(thumbnails.size()) + kColumns - 1) / kColumns;
+  cv::Mat3b block(rows * step_y, sheet->cols, cv::Vec3b(255, 255, 255));
+  for (int i = 0; i < static_cast<int>(thumbnails.size()); ++i) {
+    const cv::Mat3b& picture = thumbnails[static_cast<size_t>(i)];
+    picture.copyTo(
+        block(cv::Rect(kMargin + i % kColumns * step_x, i / kColumns * step_y, picture.cols, picture.rows)));
+  }
+  sheet->push_back(block);
+}
+
+// Pictures evenly over each sequence folder's rgb.txt, one sequence below the other; 8-bit BGR. Throws
+// InputError when a list or an image cannot be read.
+cv::Mat3b ContactSheet(const std::vector<std::filesystem::path>& sequences) {
+  cv::Mat3b sheet(kMargin, kColumns * (kWidth + kMargin) + kMargin, cv::Vec3b(255, 255, 255));
+  for (const std::filesystem::path& sequence : sequences) Append(Thumbnails(sequence), &sheet);
+  return sheet;
+}
 
 const std::vector<std::string> kDefaultScenes = {"seq1", "seq2", "seq3"};
 

@@ -53,7 +53,7 @@ std::vector<RunToEvaluate> RunsFor(const std::vector<std::string>& asked, const 
   return chosen;
 }
 
-std::vector<Table> ObservationTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+Evaluation ObservationTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
   const std::vector<std::string> asked = Asked(kObservationTableNames, arguments);
   const auto observed = RunsFor(asked, arguments, runs,
                                 [](const RunToEvaluate& run) { return run.HasTruth("objects_gt.csv"); });
@@ -63,8 +63,8 @@ std::vector<Table> ObservationTables(const EvalArguments& arguments, const std::
                                   arguments.observations);
 }
 
-std::vector<Table> TrajectoryTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
-                                    TableFormat format) {
+Evaluation TrajectoryTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
+                            TableFormat format) {
   const auto moved = RunsFor(Asked({"trajectory"}, arguments), arguments, runs, [](const RunToEvaluate& run) {
     return run.HasTruth("groundtruth.txt") && run.HasResult("trajectory.txt");
   });
@@ -72,7 +72,7 @@ std::vector<Table> TrajectoryTables(const EvalArguments& arguments, const std::v
   return MakeRunTrajectoryTables(moved, arguments.trajectories, format);
 }
 
-std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+Evaluation ObjectTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
   const std::vector<std::string> asked = Asked(kObjectTableNames, arguments);
   const auto placed = RunsFor(asked, arguments, runs, [](const RunToEvaluate& run) {
     return run.HasTruth("objects_gt.csv") && run.HasTruth("groundtruth.txt");
@@ -85,7 +85,7 @@ std::vector<Table> ObjectTables(const EvalArguments& arguments, const std::vecto
                              asked.empty() ? kObjectTableNames : asked, !asked.empty(), objects);
 }
 
-std::vector<Table> RetrievalTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+Evaluation RetrievalTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
   std::vector<std::string> names = Asked(kRetrievalTableNames, arguments);
   if (arguments.tables.empty() && !arguments.retrieval.library.empty()) names = {"retrieval"};
   if (names.empty()) return {};
@@ -93,10 +93,10 @@ std::vector<Table> RetrievalTables(const EvalArguments& arguments, const std::ve
                                 arguments.retrieval);
 }
 
-std::vector<Table> MakeFolderTables(const EvalArguments& arguments, TableFormat format) {
+Evaluation MakeFolderTables(const EvalArguments& arguments, TableFormat format) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
-  std::vector<Table> tables = MakeRunTables(arguments, runs, format);
-  if (!tables.empty() || IsAsked(kLibraryTableName, arguments)) return tables;
+  Evaluation made = MakeRunTables(arguments, runs, format);
+  if (!made.tables.empty() || IsAsked(kLibraryTableName, arguments)) return made;
   throw InputError(fmt::format(
       "{}: has neither groundtruth.txt nor objects_gt.csv; give the folder of the ground truth with "
       "--groundtruth",
@@ -107,7 +107,7 @@ bool AreTrajectoryFiles(const std::vector<fs::path>& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const fs::path& run) { return fs::is_regular_file(run); });
 }
 
-std::vector<Table> MakeFileTables(const EvalArguments& arguments, TableFormat format) {
+Evaluation MakeFileTables(const EvalArguments& arguments, TableFormat format) {
   const auto& asked = arguments.tables;
   if (!asked.empty() && asked != std::vector<std::string>{"trajectory"}) {
     throw InputError(
@@ -121,23 +121,23 @@ std::vector<Table> MakeFileTables(const EvalArguments& arguments, TableFormat fo
   return MakeFileTrajectoryTables(arguments.runs, arguments.ground_truth, arguments.trajectories, format);
 }
 
-std::vector<Table> TablesWithoutRuns(const EvalArguments& arguments) {
+Evaluation TablesWithoutRuns(const EvalArguments& arguments) {
   const auto& asked = arguments.tables;
   const bool of_library = asked.empty() ? !arguments.retrieval.library.empty()
                                         : asked == std::vector<std::string>{kLibraryTableName};
   if (!of_library)
     throw InputError(
         "eval: no run is given; name run folders, or --library FILE for the table 'library' alone");
-  return {MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval)};
+  return {.tables = {MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval)}};
 }
 
-std::vector<Table> MakeTables(const EvalArguments& arguments, TableFormat format) {
+Evaluation MakeTables(const EvalArguments& arguments, TableFormat format) {
   if (arguments.runs.empty()) return TablesWithoutRuns(arguments);
   if (AreTrajectoryFiles(arguments.runs)) return MakeFileTables(arguments, format);
-  std::vector<Table> tables = MakeFolderTables(arguments, format);
+  Evaluation made = MakeFolderTables(arguments, format);
   if (IsAsked(kLibraryTableName, arguments))
-    tables.push_back(MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval));
-  return tables;
+    made.tables.push_back(MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval));
+  return made;
 }
 
 // Raw rows go into the folder, too, unless a file is named for them.
@@ -159,7 +159,8 @@ CommandHelp EvalHelp() {
           "and prints tables: single views, matched edges, trajectories, objects of the map beside the "
           "paper's numbers and, with a library, retrieved CAD models. What each number is stands below its "
           "table. Single trajectory files (TUM, KITTI, EuRoC) can be compared, too.",
-      .files = {{"OUT/eval.json", "all tables and where they are from"},
+      .files = {{"OUT/records.json", "all numbers by name (ate_rmse_m), for programs; see results/README.md"},
+                {"OUT/eval.json", "all tables and where they are from"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
                 {"OUT/*.csv", "all raw rows: trajectories, detections, objects and, if asked for, edges"}},
       .exit_status = {},
@@ -177,21 +178,19 @@ CommandHelp EvalHelp() {
 
 }  // namespace
 
-std::vector<Table> MakeRunTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
-                                 TableFormat format) {
-  std::vector<Table> tables;
-  const auto add = [&](std::vector<Table> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(tables));
-  };
+Evaluation MakeRunTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
+                         TableFormat format) {
+  Evaluation made;
+  made.records.runs = MakeRunRecords(runs);
   const auto timed = [&](const char* what, const auto& make) {
     const StepDetail step(what);
-    add(make());
+    made.Append(make());
   };
   timed("tables of single views", [&] { return ObservationTables(arguments, runs); });
   timed("tables of trajectories", [&] { return TrajectoryTables(arguments, runs, format); });
   timed("tables of objects", [&] { return ObjectTables(arguments, runs); });
   timed("tables of retrieval", [&] { return RetrievalTables(arguments, runs); });
-  return tables;
+  return made;
 }
 
 int RunEval(EvalArguments arguments) {
@@ -202,9 +201,9 @@ int RunEval(EvalArguments arguments) {
     folder.emplace(arguments.out);
     KeepRawRows(folder->partial(), arguments);
   }
-  const std::vector<Table> tables = MakeTables(arguments, format);
-  if (folder) WriteEvaluation(arguments.runs, tables, *folder);
-  fmt::print("{}", FormatTables(tables, format));
+  const Evaluation made = MakeTables(arguments, format);
+  if (folder) WriteEvaluation(arguments.runs, made, *folder);
+  fmt::print("{}", FormatTables(made.tables, format));
   return 0;
 }
 
@@ -228,7 +227,7 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
                    ->delimiter(','),
               kTableNames);
   AddFormatArguments(*eval, a.format, a.json);
-  eval->add_option("--out", a.out, "also write eval.json, the tables and all raw rows to this folder")
+  eval->add_option("--out", a.out, "also write records.json, the tables and all raw rows to this folder")
       ->type_name("DIR");
   AddObservationArguments(*eval, a.observations);
   AddTrajectoryArguments(*eval, a.trajectories);

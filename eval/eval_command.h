@@ -37,10 +37,11 @@ struct EvalArguments {
   ConfigurationArguments configuration;  // its folder of category models
 };
 
-// The tables that are asked for, of finished runs; where none are named, all for which there are results and
-// truth, maybe none. `format`: what they are written as, which decides on digits. Throws InputError.
-std::vector<Table> MakeRunTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
-                                 TableFormat format);
+// The tables that are asked for, and their records, of finished runs; where none are named, all for which
+// there are results and truth, maybe none. `format`: what they are written as, which decides on digits.
+// Throws InputError.
+Evaluation MakeRunTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs,
+                         TableFormat format);
 
 // Prints two tables of observations, one of edges where the truth has them, one of trajectories and three of
 // objects a sequence, one of objects beside the paper's, and one of retrieval where a library is named.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/errors.h"
 #include "io/sequence.h"
@@ -55,6 +56,31 @@ fs::path FindTruth(const RunIdentity& run, const std::map<std::string, fs::path>
                   run.folder.string(), run.sequence));
 }
 
+// The runs on a sequence are compared with one truth.
+void CheckSameTruth(const std::vector<const RunToEvaluate*>& runs) {
+  const RunToEvaluate& first = *runs.front();
+  for (const RunToEvaluate* run : runs) {
+    if (fs::weakly_canonical(run->truth) == fs::weakly_canonical(first.truth)) continue;
+    throw InputError(fmt::format(
+        "{}: is a run of another sequence '{}' ({}) than {} ({}); give the names in their sequence.yaml, or "
+        "the one true folder with --groundtruth",
+        run->run.folder.string(), first.run.sequence, run->truth.string(), first.run.folder.string(),
+        first.truth.string()));
+  }
+}
+
+void NameRuns(std::vector<RunToEvaluate>& runs) {
+  std::map<std::string, std::vector<RunToEvaluate*>> of_sequence;
+  for (RunToEvaluate& run : runs) of_sequence[run.run.sequence].push_back(&run);
+  for (const auto& [sequence, its_runs] : of_sequence) {
+    CheckSameTruth({its_runs.begin(), its_runs.end()});
+    std::vector<fs::path> folders;
+    for (const RunToEvaluate* run : its_runs) folders.push_back(run->run.folder);
+    const std::vector<std::string> names = RunNames(folders, sequence);
+    for (size_t i = 0; i < names.size(); ++i) its_runs[i]->name = names[i];
+  }
+}
+
 }  // namespace
 
 bool RunToEvaluate::HasTruth(const std::string& file) const { return fs::exists(truth / file); }
@@ -71,7 +97,29 @@ std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders,
       runs.back().truth = FindTruth(runs.back().run, given);
     }
   }
+  NameRuns(runs);
   return runs;
+}
+
+std::vector<std::string> RunNames(const std::vector<fs::path>& folders, const std::string& sequence) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : folders) {
+    fs::path path = folder.lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();
+    if (path.filename() == sequence && path.parent_path().has_filename()) path = path.parent_path();
+    names.push_back(path.filename().string());
+  }
+  if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;
+  names.clear();
+  for (const fs::path& folder : folders) names.push_back(folder.string());
+  return names;
+}
+
+std::vector<EvaluatedRunRecord> MakeRunRecords(const std::vector<RunToEvaluate>& runs) {
+  std::vector<EvaluatedRunRecord> records;
+  for (const RunToEvaluate& run : runs)
+    records.push_back({run.run.folder.lexically_normal().string(), run.run.sequence, run.name});
+  return records;
 }
 
 }  // namespace armature

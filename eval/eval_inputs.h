@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/evaluation_records.h"
 #include "io/run_results.h"
 
 namespace armature {
@@ -13,6 +14,7 @@ namespace armature {
 struct RunToEvaluate {
   RunIdentity run;
   std::filesystem::path truth;  // sequence folder with its ground truth
+  std::string name{};           // as shown; tells the runs of a sequence apart
 
   // Whether the truth has the file of this name, and so for the run.
   bool HasTruth(const std::string& file) const;
@@ -21,8 +23,16 @@ struct RunToEvaluate {
 
 // The runs in or at the folders, in the order given. `truths`: sequence folders with ground truth
 // (groundtruth.txt or objects_gt.csv), or folders of such; empty: where each run says that its sequence is.
-// Throws InputError: no finished run, two truths of one name, a run of a sequence whose truth is not known.
+// Throws InputError: no finished run, two truths of one name, a run of a sequence whose truth is not known,
+// two runs of one sequence that was in different places.
 std::vector<RunToEvaluate> FindRuns(const std::vector<std::filesystem::path>& folders,
                                     const std::vector<std::filesystem::path>& truths);
+
+// Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder
+// is named after the sequence, and the paths as they are where those are not distinct.
+std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
+                                  const std::string& sequence);
+
+std::vector<EvaluatedRunRecord> MakeRunRecords(const std::vector<RunToEvaluate>& runs);
 
 }  // namespace armature

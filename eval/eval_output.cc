@@ -32,9 +32,11 @@ std::string EvalJson(const std::vector<std::filesystem::path>& runs, const std::
 EvalFolder::EvalFolder(const std::filesystem::path& folder)
     : OutputFolder(folder, {"a finished evaluation", IsCompleteEvaluation}) {}
 
-void WriteEvaluation(const std::vector<std::filesystem::path>& runs, const std::vector<Table>& tables,
+void WriteEvaluation(const std::vector<std::filesystem::path>& runs, const Evaluation& evaluation,
                      EvalFolder& folder) {
+  const std::vector<Table>& tables = evaluation.tables;
   AtomicWrite(folder.partial() / "eval.json", EvalJson(runs, tables));
+  AtomicWrite(folder.partial() / "records.json", EvaluationRecordsJson(evaluation.records));
   WriteTableFiles(folder.partial(), [&](TableFormat format) { return FormatTables(tables, format); });
   folder.Publish();
 }

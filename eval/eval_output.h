@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "eval/evaluation.h"
 #include "io/output_folder.h"
-#include "io/text_table.h"
 
 namespace armature {
 
@@ -17,9 +17,9 @@ class EvalFolder : public OutputFolder {
 };
 
 // eval.json ({"program", "version", "git_commit", "git_dirty", "runs": absolute paths, "tables", "complete"})
-// and tables.{txt,md,csv,tex}, then publishes the folder. Throws InputError for a file that cannot be
-// written.
-void WriteEvaluation(const std::vector<std::filesystem::path>& runs, const std::vector<Table>& tables,
+// records.json and tables.{txt,md,csv,tex}, then publishes the folder. Throws InputError for a file that
+// cannot be written.
+void WriteEvaluation(const std::vector<std::filesystem::path>& runs, const Evaluation& evaluation,
                      EvalFolder& folder);
 
 }  // namespace armature

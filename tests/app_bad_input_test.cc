@@ -93,13 +93,13 @@ TEST_F(AppBadInput, UnknownKeyInTheSequence) {
 }
 
 TEST_F(AppBadInput, UnknownOptionInTheConfiguration) {
-  folder_.Write("my.yaml", "# mine\nassociation:\n  detectr: lsd\n");
-  ExpectRefused({"my.yaml:3", "association.detectr", "association.detector"},
+  folder_.Write("my.yaml", "# mine\nlines:\n  detectr: lsd\n");
+  ExpectRefused({"my.yaml:3", "lines.detectr", "lines.detector"},
                 {"--config", (folder_ / "my.yaml").string()});
 }
 
 TEST_F(AppBadInput, BadSettings) {
-  ExpectRefused({"--set", "association.detector", "lsd"}, {"--set", "association.detector=canny"});
+  ExpectRefused({"--set", "lines.detector", "lsd"}, {"--set", "lines.detector=canny"});
   ExpectRefused({"--set", "lines.min_length", "1000"}, {"--set", "lines.min_length=1e9"});
   ExpectRefused({"--set", "key=value"}, {"--set", "lines.min_length"});
   ExpectRefused({"--set", "lines.min_length"}, {"--set", "min_length=5"});

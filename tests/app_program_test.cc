@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program as a whole: help, version, presets.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
 #include "cli/configuration.h"
+#include "cli/option_settings.h"
+#include "io/option_value.h"
 #include "io/options_yaml.h"
+#include "retrieval/retrieval_options.h"
 #include "support/expect_input_error.h"
 #include "support/program.h"
 #include "support/temp_folder.h"
@@ -21,15 +29,38 @@ TEST(AppProgram, HelpNamesEveryCommand) {
   }
 }
 
+// In one line, as wrapping may have broken it.
+std::string WithoutBreaks(const std::string& text) {
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;) line += word + " ";
+  return line;
+}
+
 TEST(AppProgram, HelpOfACommandNamesEveryOption) {
   Options options;
   for (const std::string command : {"run", "photo"}) {
-    const std::string help = RunOk({command, "--help"}).out;
+    const std::string help = WithoutBreaks(RunOk({command, "--help"}).out);
     for (const OptionEntry& entry : OptionTable(options)) {
-      EXPECT_NE(help.find(entry.key + " "), std::string::npos) << entry.key;
-      EXPECT_NE(help.find(entry.help), std::string::npos) << entry.key;
+      EXPECT_NE(help.find(fmt::format("{} {} ({}) [{}]", entry.key, entry.help, OptionDomain(entry),
+                                      OptionText(entry))),
+                std::string::npos)
+          << entry.key;
     }
     EXPECT_NE(help.find("--preset"), std::string::npos);
+  }
+}
+
+TEST(AppProgram, ExpertOptionsComeLast) {
+  Options options;
+  RetrievalOptions retrieval;
+  for (const std::vector<OptionEntry>& table : {OptionTable(options), RetrievalOptionTable(retrieval)}) {
+    const auto is_expert = [](const OptionEntry& entry) { return entry.key.starts_with("expert."); };
+    EXPECT_TRUE(std::is_partitioned(table.begin(), table.end(), std::not_fn(is_expert)));
+    const std::string help = DescribeOptions(table);
+    const size_t heading = help.find("For studies");
+    for (const OptionEntry& entry : table)
+      EXPECT_EQ(help.find("  " + entry.key) > heading, is_expert(entry)) << entry.key;
   }
 }
 
@@ -63,7 +94,7 @@ TEST(AppPresets, SettingsComeAfterFilesAfterThePreset) {
   arguments.config = folder.Write("my.yaml", "association: {rounds: 3, refined_hypotheses: 3}\n");
   arguments.settings = {"association.rounds=2"};
   const Options options = LoadOptions(arguments);
-  EXPECT_EQ(options.association.cost, "printed");
+  EXPECT_EQ(options.association.cost, AssociationCost::kPrinted);
   EXPECT_EQ(options.association.refined_hypotheses, 3);
   EXPECT_EQ(options.association.rounds, 2);
 }

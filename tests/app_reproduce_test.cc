@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
+#include "io/evaluation_records.h"
 #include "support/small_scene.h"
 
 namespace armature {
@@ -31,7 +33,8 @@ class ReproduceSmallScene : public ::testing::Test {
  protected:
   void SetUp() override {
     CopySmallScene(folder_, 3);
-    folder_.Write("broken.yaml", "association: {detector: sonar}\n");
+    folder_.Write("broken.yaml", "lines: {detector: sonar}
+");
     config_ = folder_.Write("den.yaml", kDenMatrix);
   }
   ProgramResult Reproduce(const std::vector<std::string>& more = {}) const {
@@ -65,6 +68,31 @@ TEST_F(ReproduceSmallScene, LeavesResultsATableAndAReportAndTellsWhatFailed) {
   EXPECT_EQ(tables[0]["rows"][0]["outcome"], "done");
   EXPECT_NE(std::string(tables[0]["rows"][2]["outcome"]).find("sonar"), std::string::npos);
   EXPECT_NE(InResults("report.html").find("sonar"), std::string::npos) << "the reason is in the report, too";
+}
+
+TEST_F(ReproduceSmallScene, TheMainTableHasTheNumbersOfTheRecords) {
+  // Runs are named by folders, records by sequences.
+  fs::rename(folder_ / "out/den", folder_ / "out/closet");
+  folder_.Write("den.yaml", std::regex_replace(kDenMatrix, std::regex("out/den"), "out/closet"));
+  ASSERT_EQ(Reproduce({"--only", "objects,odometry", "--name", "den"}).status, 0);
+  const EvaluationRecords records =
+      ReadEvaluationRecords(folder_ / "results/latest/evaluation/accuracy/records.json");
+  const json rows = json::parse(InResults("tables.json"))[0]["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  int compared = 0;
+  for (const ObjectRecord& record : records.objects) {
+    if (record.category || record.matched_by != MatchedBy::kDistance) continue;
+    const json& row = rows[record.approach == Approach::kOdometryOnly ? 1 : 0];
+    EXPECT_EQ(row["sequence"], "closet");
+    EXPECT_EQ(row["found"], record.found);
+    ASSERT_TRUE(record.object_error_mean_m && row["average [m]"].is_number()) << row;
+    EXPECT_NEAR(row["average [m]"], *record.object_error_mean_m, 5.1e-5);
+    EXPECT_GT(*record.object_error_mean_m, 0.0);
+    EXPECT_LT(*record.object_error_mean_m, 0.5);
+    EXPECT_LT(row["cameras [m]"], 0.5);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 2);
 }
 
 TEST_F(ReproduceSmallScene, MakesNothingTwice) {

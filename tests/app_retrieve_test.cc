@@ -206,7 +206,8 @@ TEST(RetrieveInput, BadUsageAndFiles) {
   ExpectBadInput({"retrieve", run, "--library", file, "--save-index"}, {"--save-index"});
   ExpectBadInput({"retrieve", run, "--library", file, "--set", "retrieval.kk=3"},
                  {"retrieval.kk", "retrieval.k"});
-  ExpectBadInput({"retrieve", run, "--library", file, "--set", "retrieval.index=trie"}, {"trie", "kdtree"});
+  ExpectBadInput({"retrieve", run, "--library", file, "--set", "retrieval.index.kind=trie"},
+                 {"trie", "kdtree"});
 }
 
 TEST(RetrieveInput, ALibraryOfOtherModelsOrWithoutInstancesIsRefused) {

@@ -163,7 +163,7 @@ TEST(PrintedCost, SignedOffsetRewardsTheWrongSide) {
 
 TEST(BoxConstraints, SidesAtTheBorderAreOpen) {
   const Camera camera{640, 480, 500, 500, 320, 240, {}};
-  const BoxSides sides = SidesAtImageBorder({5, 100, 300, 376}, camera, 0.06);
+  const BoxSides sides = SidesAtImageBorder({5, 100, 300, 376}, camera);
   EXPECT_EQ(sides[0], BoxSide::kOpen);
   EXPECT_EQ(sides[1], BoxSide::kSeen);
   EXPECT_EQ(sides[2], BoxSide::kSeen);
@@ -207,9 +207,9 @@ TEST(BoxConstraints, AHiddenBottomDoesNotPullTheDepthAway) {
 
 TEST(BoxConstraints, AnotherBoxBelowMakesTheBottomLikelyHidden) {
   const Box chair{100, 100, 100, 100}, table{50, 160, 300, 200}, apart{400, 100, 100, 100};
-  EXPECT_GT(HiddenProbabilities(chair, {table}, {})[3], 0.5);
-  EXPECT_LT(HiddenProbabilities(chair, {apart}, {})[3], 0.5);
-  EXPECT_EQ(HiddenProbabilities(chair, {table}, {})[1], 0);
+  EXPECT_GT(HiddenProbabilities(chair, {table})[3], 0.5);
+  EXPECT_LT(HiddenProbabilities(chair, {apart})[3], 0.5);
+  EXPECT_EQ(HiddenProbabilities(chair, {table})[1], 0);
 }
 
 TEST(LineSeeds, FindTheTableThatTheImageCuts) {
@@ -221,7 +221,7 @@ TEST(LineSeeds, FindTheTableThatTheImageCuts) {
       (up * R * wireframe.midpoints - (up * R * wireframe.directions).cwiseAbs() / 2).minCoeff() +
       up.dot(synthetic.truth.T_camera_object.translation());
   synthetic.view.floor = FloorPrior{-lowest, 0.05};
-  const auto translations = TranslationsFromLines(synthetic.view, wireframe, R, {});
+  const auto translations = TranslationsFromLines(synthetic.view, wireframe, R);
   ASSERT_FALSE(translations.empty());
   double nearest = 1e9;
   for (const Eigen::Vector3d& T : translations) {
@@ -250,8 +250,7 @@ TEST(HypothesisCost, IsLowestAtTheTruth) {
     const ProjectedWireframe projected = synthetic.Project(at);
     return PriorCost(synthetic.view, at, WireframeFromCoefficients(synthetic.model, at.coefficients),
                      synthetic.view.sides, projected, {}, {}) +
-           LineCost(synthetic.view, projected, CoveredLength(projected, synthetic.view.segments, {8, 0.15}),
-                    {});
+           LineCost(projected, CoveredLength(projected, synthetic.view.segments, {8, 0.15}));
   };
   const double best = cost(synthetic.truth);
   for (const Eigen::Vector3d& shift :

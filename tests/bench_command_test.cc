@@ -33,7 +33,7 @@ TEST(BenchCommand, ComparesEnginesAndDetectorsOnTheSmallScene) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(nlohmann::json::parse(ReadFile(folder / "bench/bench.json")), json);
   EXPECT_EQ(json["settings"]["engines"], (std::vector<std::string>{"lines:default", "lines:fast"}));
-  EXPECT_EQ(json["settings"]["options"]["association.detector"], "edgedrawing");
+  EXPECT_EQ(json["settings"]["options"]["lines.detector"], "edgedrawing");
   EXPECT_NE(json["environment"]["flags"], "");
   EXPECT_EQ(json["sections"][0]["frames_counted"], 3);
   EXPECT_EQ(json["sections"][0]["frames_discarded"], 1);

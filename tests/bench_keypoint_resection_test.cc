@@ -76,7 +76,7 @@ TEST(KeypointResection, ExactKeypointsGivePoseAndShape) {
   const std::vector<ShapePoint> keypoints = MakeKeypoints(synthetic.model);
   const ResectionResult result = ResectKeypoints(synthetic.view, keypoints, SeeAll(synthetic, keypoints),
                                                  PoseFromBox(synthetic.view), NothingButWhatIsSeen());
-  EXPECT_TRUE(result.finite);
+  EXPECT_TRUE(result.finite());
   ExpectNear(result.estimate, synthetic.truth, 0.1, 0.005);
   EXPECT_LT((result.estimate.coefficients - synthetic.truth.coefficients).norm(), 0.1);
   EXPECT_LT(ReprojectionError(synthetic, keypoints, result.estimate), 0.05);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "bench/harness.h"
-#include "bench/keypoints/drawn_keypoints.h"
+#include "bench/keypoints/keypoint_input.h"
 #include "bench/keypoints/keypoint_resection.h"
 #include "bench/keypoints/keypoints_engine.h"
 #include "support/synthetic_view.h"

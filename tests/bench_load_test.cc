@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "bench/sections/load_variants.h"
-#include "bench/sections/view_counts.h"
 #include "support/bench_fakes.h"
 #include "support/synthetic_view.h"
 

@@ -5,11 +5,8 @@
 #include <cmath>
 
 #include "bench/guard/calibration.h"
-#include "bench/micro/micro_association.h"
 #include "bench/micro/micro_benchmarks.h"
-#include "bench/micro/micro_neighbours.h"
-#include "bench/micro/micro_pose_graph.h"
-#include "bench/micro/micro_resection.h"
+#include "bench/micro/micro_families.h"
 #include "geometry/viewpoint.h"
 #include "io/category_yaml.h"
 #include "support/category_examples.h"
@@ -92,7 +89,7 @@ TEST(MicroBenchmarks, WaitWithTheTreeUntilTheRaceStarts) {
 TEST(MicroAssociation, FindsTheTruthAmongTheHypotheses) {
   const MicroSetup setup = SmallSetup();
   for (const CategoryModel& model : setup.models) {
-    const MicroView micro(model, 60, setup.association.box);
+    const MicroView micro(model, 60);
     EXPECT_EQ(micro.view.segments.size(), 60U);
     ProjectedWireframe scratch;
     double best_cost = 1e9, best_turn = 0;
@@ -110,7 +107,7 @@ TEST(MicroAssociation, FindsTheTruthAmongTheHypotheses) {
 TEST(MicroAssociation, MatchesTheEdgesFragments) {
   const MicroSetup setup = SmallSetup();
   for (const CategoryModel& model : setup.models) {
-    const MicroView micro(model, 80, setup.association.box);
+    const MicroView micro(model, 80);
     const Matching matching = MatchSegments(micro.Project(micro.truth), micro.view.segments,
                                             SearchGate(micro.view, setup.association));
     EXPECT_GT(matching.covered_length, 0.8 * micro.Project(micro.truth).VisibleLength()) << model.spec.name;
@@ -121,28 +118,27 @@ TEST(MicroResection, ComesBackToTheTruth) {
   const MicroSetup setup = SmallSetup();
   const CategoryModel& chair = *std::find_if(setup.models.begin(), setup.models.end(),
                                              [](const CategoryModel& m) { return m.spec.name == "chair"; });
-  const MicroView micro(chair, 60, setup.association.box);
+  const MicroView micro(chair, 60);
   const std::vector<EdgeMatch> matches = MicroMatches(micro, 14, setup.association);
   EXPECT_EQ(matches.size(), 14U);
   const PoseAndShape start = micro.NearTruth();
-  for (const char* mode : {"joint", "alternating"}) {
+  for (const ResectionMode mode : {ResectionMode::kJoint, ResectionMode::kAlternating}) {
     ResectionOptions options = setup.resection;
     options.mode = mode;
-    const ResectionResult result = Resect(micro.view, micro.view.sides, matches, micro.Project(start), start,
-                                          setup.association.box, options);
-    EXPECT_TRUE(result.finite);
+    const ResectionResult result = Resect(
+        {micro.view, micro.view.sides, matches, micro.Project(start), start, setup.association.box, options});
+    EXPECT_TRUE(result.finite());
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()),
               0.5 * TurnFromTruth(micro, start.T_camera_object.linear()))
-        << mode;
+        << ToName(mode);
   }
 }
 
 TEST(MicroResection, EstimatesTheObjects) {
   const MicroSetup setup = SmallSetup();
   for (const CategoryModel& model : setup.models) {
-    const MicroView micro(model, 60, setup.association.box);
-    EstimatorTimes times;
-    const SingleViewResult result = EstimateObject(micro.view, setup.association, setup.resection, times);
+    const MicroView micro(model, 60);
+    const SingleViewResult result = EstimateObject(micro.view, setup.association, setup.resection);
     EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << model.spec.name;
     EXPECT_LT(TurnFromTruth(micro, result.estimate.T_camera_object.linear()), 0.1) << model.spec.name;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bench/plots/gnuplot.h"
-#include "bench/plots/plot.h"
-#include "bench/plots/stacked_bars.h"
+#include "drawing/plots/gnuplot.h"
+#include "drawing/plots/plot.h"
+#include "drawing/plots/stacked_bars.h"
 #include "support/expect_input_error.h"
 #include "support/path_override.h"
 #include "support/temp_folder.h"

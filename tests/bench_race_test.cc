@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "bench/sections/calibrated_race.h"
-#include "bench/sections/sparse_inputs.h"
 #include "support/bench_fakes.h"
 #include "support/expect_input_error.h"
 

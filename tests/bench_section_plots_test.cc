@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "bench/plots/section_plots.h"
+#include "bench/sections/section_plots.h"
 #include "support/temp_folder.h"
 
 namespace armature {

@@ -49,7 +49,7 @@ TEST(BenchTables, StagesOfEnginesBesideThePapers) {
 }
 
 TEST(BenchTables, RatiosArePairedByFrame) {
-  const Table table = RatioTable(KnownRows(), {"ours", "other"}, 3);
+  const Table table = RatioTable(CollectRatios("comparison", "", KnownRows(), {"ours", "other"}), "ours", 3);
   EXPECT_EQ(CellText(table, 0, "engine"), "other");
   EXPECT_EQ(CellText(table, 0, "n"), "3");
   EXPECT_EQ(CellText(table, 0, "times ours"), "5.00");

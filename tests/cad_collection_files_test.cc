@@ -6,7 +6,6 @@
 
 #include "category/learn.h"
 #include "datasets/cad/collection_files.h"
-#include "datasets/cad/ply.h"
 #include "datasets/cad/solids.h"
 #include "io/category_yaml.h"
 #include "io/csv.h"
@@ -28,7 +27,8 @@ int CountFrames(const std::string& ply, const std::string& element) {
 TEST(Ply, HoldsABoxAsEightVerticesAndTwelveColouredTriangles) {
   Material red;
   red.colour = {1, 0.2, 0};
-  const std::string ply = PlyText(Mesh{{Block(Eigen::Vector3d(-1, -2, -3), Eigen::Vector3d(1, 2, 3), red)}});
+  const std::string ply =
+      CadPlyText(Mesh{{Block(Eigen::Vector3d(-1, -2, -3), Eigen::Vector3d(1, 2, 3), red)}});
   EXPECT_EQ(CountFrames(ply, "vertex"), 8);
   EXPECT_EQ(CountFrames(ply, "face"), 12);
   const size_t body = ply.find("end_header\n") + 11;
@@ -44,12 +44,12 @@ TEST(Ply, HoldsABoxAsEightVerticesAndTwelveColouredTriangles) {
 TEST(Ply, ATriangleIsOneFace) {
   Part part;
   part.quads.push_back({{Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 1, 0}}});
-  EXPECT_EQ(CountFrames(PlyText(Mesh{{part}}), "face"), 1);
+  EXPECT_EQ(CountFrames(CadPlyText(Mesh{{part}}), "face"), 1);
 }
 
 TEST(CollectionFiles, TheWholeCollectionIsSmall) {
   size_t bytes = 0;
-  for (const CadInstance& instance : DrawCollection({})) bytes += PlyText(instance.mesh).size();
+  for (const CadInstance& instance : DrawCollection({})) bytes += CadPlyText(instance.mesh).size();
   EXPECT_LT(bytes, 5'000'000u);
 }
 
@@ -64,7 +64,7 @@ TEST(CollectionFiles, EveryInstanceHasItsRowAndItsMesh) {
     EXPECT_EQ(row.Text("id"), collection[i].id);
     EXPECT_EQ(row.Integer("held_out"), collection[i].held_out ? 1 : 0);
     EXPECT_NEAR(row.Number("size_z"), collection[i].size.z(), 1e-6);
-    EXPECT_EQ(ReadFile(folder / row.Text("mesh")), PlyText(collection[i].mesh));
+    EXPECT_EQ(ReadFile(folder / row.Text("mesh")), CadPlyText(collection[i].mesh));
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "category/normalise.h"
 #include "datasets/cad/cad_instance.h"
-#include "datasets/cad/ply.h"
+#include "datasets/cad/collection_files.h"
 #include "io/category_yaml.h"
 #include "support/category_examples.h"
 #include "support/part_volume.h"
@@ -165,8 +165,8 @@ TEST(Collection, TheFirstOnesDoNotDependOnTheCounts) {
   for (int i = 0; i < 15; ++i) {
     const CadInstance &a = fewer[static_cast<size_t>(i)], &b = Collection()[index(i)];
     EXPECT_EQ(a.id, b.id);
-    EXPECT_EQ(PlyText(a.mesh), PlyText(b.mesh)) << a.id;
-    EXPECT_NE(PlyText(a.mesh), PlyText(other[static_cast<size_t>(i)].mesh)) << a.id;
+    EXPECT_EQ(CadPlyText(a.mesh), CadPlyText(b.mesh)) << a.id;
+    EXPECT_NE(CadPlyText(a.mesh), CadPlyText(other[static_cast<size_t>(i)].mesh)) << a.id;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/evaluation_records.h"
 #include "support/program.h"
 #include "support/true_world.h"
 
@@ -51,6 +52,15 @@ TEST(EvalCommand, KeepsTablesAndRowsInAFolder) {
   EXPECT_EQ(json["complete"], true);
   EXPECT_EQ(json["tables"][0]["table"], "observations");
   EXPECT_EQ(json["tables"][0]["sequence"], "world");
+  const EvaluationRecords records = ReadEvaluationRecords(out + "/records.json");
+  ASSERT_EQ(records.runs.size(), 1u);
+  EXPECT_EQ(records.runs[0].folder, run);
+  EXPECT_EQ(records.runs[0].run, "run");
+  const auto& row = json["tables"][0]["rows"][2];  // after chair and table: all
+  const ViewRecord& all = records.views.at(2);
+  EXPECT_FALSE(all.category);
+  EXPECT_EQ(all.detections, row["detections"]);
+  EXPECT_EQ(100 * all.views_within_15_deg_share.value(), row["within 15 deg [%]"]);
   RunOk(call);  // a finished one is replaced, anything else is not
   ExpectBadInput(
       {"eval", run, "--groundtruth", world.folder / "sequence", "--out", world.folder / "sequence"},

@@ -29,11 +29,11 @@ EvaluatedObject Found(const std::string& id, const std::string& category, double
 NamedObjects TwoMaps(const std::string& run) {
   NamedObjects named{run, {}};
   named.objects.configuration = {"axis", true};
-  EvaluatedMap odometry{"odometry only", true, {}, {}, {}};
+  EvaluatedMap odometry{Approach::kOdometryOnly, {}, {}, {}};
   odometry.by_distance = {Found("chair0", "chair", 0.4),
                           {ObjectStatus::kMissed, "table", "table0", "", 0, std::nullopt},
                           {ObjectStatus::kSpurious, "table", "", "o9", 2, std::nullopt}};
-  EvaluatedMap objects{"objects, loop closure", false, {}, {}, {}};
+  EvaluatedMap objects{Approach::kObjectsLoopClosure, {}, {}, {}};
   objects.by_distance = {Found("chair0", "chair", 0.1), Found("table0", "table", 0.3)};
   named.objects.maps = {odometry, objects};
   return named;
@@ -66,9 +66,26 @@ TEST(ObjectTables, Summary) {
   EXPECT_EQ(CellText(table, 2, "observed"), "2");
 }
 
+TEST(ObjectTables, RecordsAreOfEachWayOfMatching) {
+  NamedObjects run = TwoMaps("mine");
+  run.objects.maps[1].by_detections = {Found("chair0", "chair", 2.5)};
+  const auto records = MakeObjectRecords(Sequence({run}));
+  ASSERT_EQ(records.size(), 9u);  // three of each; odometry names no objects
+  EXPECT_EQ(records[2].approach, Approach::kOdometryOnly);
+  EXPECT_FALSE(records[2].category) << "all";
+  EXPECT_EQ(records[2].missed, 1);
+  EXPECT_EQ(records[2].spurious, 1);
+  EXPECT_EQ(records[1].category, "table");
+  EXPECT_FALSE(records[1].object_error_mean_m) << "none was found";
+  EXPECT_EQ(records[5].matched_by, MatchedBy::kDistance);
+  EXPECT_DOUBLE_EQ(records[5].object_error_mean_m.value(), 0.2);
+  EXPECT_EQ(records[8].matched_by, MatchedBy::kDetections);
+  EXPECT_EQ(records[8].object_error_mean_m, 2.5);
+}
+
 TEST(ObjectTables, NothingFoundIsADash) {
   NamedObjects run{"mine", {}};
-  run.objects.maps = {{"objects", false, {}, {}, {}}};
+  run.objects.maps = {{Approach::kObjects, {}, {}, {}}};
   const std::vector<Table> tables = {ObjectSummaryTable(Sequence({run})), EachObjectTable(Sequence({run})),
                                      PaperTable({Sequence({run})}, {}),
                                      NormalTermTable(Sequence({run}), {{"mine", {}}})};

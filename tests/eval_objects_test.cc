@@ -279,8 +279,8 @@ TEST_F(RunMaps, TruthAsResultIsPerfect) {
   const RunObjects objects = EvaluateIn(Similarity(), AlignmentKind::kNone);
   ASSERT_EQ(objects.maps.size(), 2u);
   for (const EvaluatedMap& map : objects.maps) ExpectPerfect(map.by_distance, 1e-9);
-  EXPECT_EQ(objects.maps[0].approach, "odometry only");
-  EXPECT_EQ(objects.maps[1].approach, "objects");
+  EXPECT_EQ(objects.maps[0].approach, Approach::kOdometryOnly);
+  EXPECT_EQ(objects.maps[1].approach, Approach::kObjects);
   EXPECT_TRUE(objects.maps[1].by_detections.empty()) << "observations name no objects";
 }
 
@@ -345,11 +345,11 @@ TEST_F(RunMaps, ApproachesByConfiguration) {
     return EvaluateRunObjects(LoadRun(run), world_.sequence, world_.specs, {});
   };
   RunObjects objects = evaluate("resection:\n  normal_term: none\nmapping:\n  loop_closure: true\n");
-  EXPECT_EQ(objects.maps[1].approach, "objects, loop closure");
+  EXPECT_EQ(objects.maps[1].approach, Approach::kObjectsLoopClosure);
   EXPECT_EQ(objects.configuration.normal_term, "none");
   objects = evaluate("mapping:\n  loop_closure: false\n");
-  EXPECT_EQ(objects.maps[0].approach, "odometry only");
-  EXPECT_EQ(objects.maps[1].approach, "objects, no loop closure");
+  EXPECT_EQ(objects.maps[0].approach, Approach::kOdometryOnly);
+  EXPECT_EQ(objects.maps[1].approach, Approach::kObjectsNoLoopClosure);
   EXPECT_FALSE(objects.configuration.normal_term);
   ExpectInputError([&] { evaluate("mapping:\n  loop_closure: perhaps\n"); },
                    {"config.yaml:2", "loop_closure"});

@@ -106,7 +106,7 @@ TEST(RetrievalTables, OfNothingAreDashes) {
 TEST(RetrievalVariants, TheDefaultIsOneOfThem) {
   const RetrievalOptions defaults = VariantsForSeen().back().options;
   EXPECT_TRUE(defaults.covariance && defaults.rerank);
-  EXPECT_EQ(defaults.features.space, "whitened");
+  EXPECT_EQ(defaults.features.space, FeatureSpace::kWhitened);
   EXPECT_THROW(EvaluatedQueries().GetOutcomes("k-NN"), std::logic_error);
 }
 

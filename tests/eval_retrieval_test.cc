@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "eval/retrieval/retrieval_ranking.h"
+#include "eval/retrieval/retrieval_evaluation.h"
 #include "eval/retrieval/retrieval_summary.h"
 #include "support/expect_input_error.h"
 #include "support/known_frames.h"

@@ -2,9 +2,9 @@
 // A run with a known error beside one without.
 #include <gtest/gtest.h>
 
-#include "eval/statistics/provenance.h"
 #include "eval/statistics/result_distance.h"
 #include "eval/statistics/run_values.h"
+#include "io/provenance.h"
 #include "support/expect_input_error.h"
 #include "support/true_map.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "eval/eval_inputs.h"
 #include "eval/views/evaluation_tables.h"
 #include "support/table_cells.h"
 #include "support/true_world.h"

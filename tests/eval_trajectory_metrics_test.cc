@@ -168,8 +168,8 @@ TEST(TrajectoryTable, SaysHowItWasAligned) {
   for (TimedPose& pose : estimate) pose.pose.translation() /= 2;
   estimate.push_back(At(50, {0, 0, 0}));
   const TrajectoryOptions options{.alignment = AlignmentKind::kSim3, .delta = {5, DeltaUnit::kFrames}};
-  const Table table =
-      TrajectoryTable("desk", {{"a", "trajectory", EvaluateTrajectory(estimate, Curve(20), options)}}, 3);
+  const Table table = TrajectoryTable(
+      "desk", {{"a", TrajectoryKind::kTrajectory, EvaluateTrajectory(estimate, Curve(20), options)}}, 3);
   EXPECT_TRUE(FormatTable(table, TableFormat::kCsv)
                   .starts_with("# desk: camera trajectories\n"
                                "run,trajectory,alignment,matched,poses,scale,rotation [deg],translation [m],"
@@ -191,7 +191,9 @@ TEST(TrajectoryTable, ShowsDashesAndWarnings) {
   for (int i = 0; i < 5; ++i) still.push_back(At(0.1 * i, {1, 2, 3}, {0, 0.1 * i, 0}));
   const auto turning = EvaluateTrajectory(still, still, {.alignment = AlignmentKind::kSim3});
   const std::string text = FormatTable(
-      TrajectoryTable("desk", {{"far", "", unmatched}, {"turn", "", turning}}, 3), TableFormat::kText);
+      TrajectoryTable(
+          "desk", {{"far", TrajectoryKind::kFile, unmatched}, {"turn", TrajectoryKind::kFile, turning}}, 3),
+      TableFormat::kText);
   EXPECT_NE(text.find("far: no pose has a true one within 10 ms"), std::string::npos) << text;
   EXPECT_NE(text.find("turn: the positions do not determine sim3"), std::string::npos) << text;
   EXPECT_EQ(text.find("nan"), std::string::npos);
@@ -200,7 +202,7 @@ TEST(TrajectoryTable, ShowsDashesAndWarnings) {
 
 TEST(TrajectoryTable, RawRowsCarryEveryPose) {
   const auto e = EvaluateTrajectory(Curve(12), Curve(12), {});
-  const std::string rows = RawTrajectoryRows("desk", {"a", "trajectory", e});
+  const std::string rows = RawTrajectoryRows("desk", {"a", TrajectoryKind::kTrajectory, e});
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 12);
   EXPECT_TRUE(
       rows.starts_with("a,desk,trajectory,se3,1.000000000000,0.000000,0.000000000,0.000000,1.000000,0.0"))

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/nearest_name.h"
+#include "io/option_value.h"
 #include "io/options_yaml.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
@@ -13,23 +14,33 @@ namespace {
 
 using testing::ExpectInputError;
 
+enum class Detector { kLsd, kEdLines, kFld };
+
+}  // namespace
+
+template <>
+struct EnumNames<Detector> {
+  static constexpr NamedValue<Detector> kTable[] = {
+      {Detector::kLsd, "lsd"}, {Detector::kEdLines, "edlines"}, {Detector::kFld, "fld"}};
+};
+
+namespace {
+
 struct SampleOptions {
   int seed = 1;
   double max_angle = 10;
-  std::string detector = "lsd";
+  Detector detector = Detector::kLsd;
   bool visibility = true;
   double weight = 0.1;
-  std::string note;
 };
 
 std::vector<OptionEntry> SampleTable(SampleOptions& o) {
   return {
       Option("seed", &o.seed, "of all random choices", 0),
       Option("association.max_angle_deg", &o.max_angle, "between edge and segment, degrees", 0, 90),
-      Option("association.detector", &o.detector, "of line segments", {"lsd", "edlines", "fld"}),
+      Option("association.detector", &o.detector, "of line segments"),
       Option("association.cost.visibility", &o.visibility, "hide edges behind faces"),
       Option("resection.weight", &o.weight, "of the shape prior"),
-      Option("association.note", &o.note, "any text"),
   };
 }
 
@@ -51,11 +62,11 @@ class OptionsTest : public ::testing::Test {
 TEST_F(OptionsTest, YamlIsPartial) {
   ApplyYaml(folder_.Write("c.yaml", "association:\n  detector: edlines\n  cost: {visibility: false}\n"),
             table_);
-  EXPECT_EQ(options_.detector, "edlines");
+  EXPECT_EQ(options_.detector, Detector::kEdLines);
   EXPECT_FALSE(options_.visibility);
   EXPECT_EQ(options_.max_angle, 10);
   ApplyYaml(folder_.Write("empty.yaml", "# nothing\n"), table_);
-  EXPECT_EQ(options_.detector, "edlines");
+  EXPECT_EQ(options_.detector, Detector::kEdLines);
 }
 
 TEST_F(OptionsTest, YamlNamesTheNearestOfAnUnknownKey) {
@@ -83,13 +94,15 @@ TEST_F(OptionsTest, YamlReportsTypesAndRanges) {
 TEST_F(OptionsTest, BadValuesLeaveTheFieldAsItWas) {
   ExpectSettingError("association.max_angle_deg=95", {"95 > 90"});
   EXPECT_EQ(options_.max_angle, 10);
+  ExpectSettingError("association.detector=edlinse", {"'edlinse'", "did you mean 'edlines'?"});
+  EXPECT_EQ(options_.detector, Detector::kLsd);
 }
 
 TEST_F(OptionsTest, SettingsAreCheckedAsYaml) {
   ApplySetting("association.max_angle_deg=20", table_);
   EXPECT_EQ(options_.max_angle, 20);
-  ApplySetting("association.note=a=b", table_);
-  EXPECT_EQ(options_.note, "a=b");
+  ApplySetting("association.detector = fld", table_);
+  EXPECT_EQ(options_.detector, Detector::kFld);
   ExpectSettingError("association.max_angle_deg=-1", {"--set", "association.max_angle_deg -1 < 0"});
   ExpectSettingError("association.detector=hough", {"--set", "'hough'", "edlines"});
   ExpectSettingError("seed", {"--set", "key=value"});
@@ -106,33 +119,37 @@ TEST_F(OptionsTest, CheckFindsValuesSetInCode) {
 
 TEST_F(OptionsTest, EffectiveYamlIsNestedAndStable) {
   EXPECT_EQ(EffectiveYaml(table_),
-            "seed: 1\nassociation:\n  max_angle_deg: 10\n  detector: lsd\n  cost:\n    visibility: true\n  "
-            "note: \"\"\n"
+            "seed: 1\nassociation:\n  max_angle_deg: 10\n  detector: lsd\n  cost:\n    visibility: true\n"
             "resection:\n  weight: 0.1\n");
 }
 
 TEST_F(OptionsTest, EffectiveYamlRestoresTheSameValues) {
   options_.max_angle = std::nextafter(10.0, 11.0);
   options_.weight = 1.0 / 3.0 * 1e-9;
-  options_.note = "null: \"quoted\" #\n\\ tab\t ~";
+  options_.detector = Detector::kFld;
   const auto file = folder_.Write("c.yaml", EffectiveYaml(table_));
   SampleOptions restored;
   const std::vector<OptionEntry> table = SampleTable(restored);
   ApplyYaml(file, table);
   EXPECT_EQ(restored.max_angle, options_.max_angle);
   EXPECT_EQ(restored.weight, options_.weight);
-  EXPECT_EQ(restored.note, options_.note);
+  EXPECT_EQ(restored.detector, options_.detector);
   EXPECT_EQ(EffectiveYaml(table), EffectiveYaml(table_));
 }
 
-TEST_F(OptionsTest, HelpListsEveryOption) {
-  const std::string help = HelpText(table_);
-  for (const OptionEntry& entry : table_) {
-    EXPECT_NE(help.find(entry.key), std::string::npos);
-    EXPECT_NE(help.find(entry.help), std::string::npos);
-  }
-  EXPECT_NE(help.find("[0..90]"), std::string::npos);
-  EXPECT_NE(help.find("[lsd|edlines|fld]"), std::string::npos);
+TEST_F(OptionsTest, DomainsNameRangesAndChoices) {
+  EXPECT_EQ(OptionDomain(table_[0]), ">= 0");
+  EXPECT_EQ(OptionDomain(table_[1]), "0..90");
+  EXPECT_EQ(OptionDomain(table_[2]), "lsd|edlines|fld");
+  EXPECT_EQ(OptionDomain(table_[3]), "true|false");
+  EXPECT_EQ(OptionDomain(table_[4]), "number");
+}
+
+TEST(EnumNames, NamesAndValuesBelongTogether) {
+  EXPECT_STREQ(ToName(Detector::kEdLines), "edlines");
+  EXPECT_EQ(FromName<Detector>("fld"), Detector::kFld);
+  EXPECT_FALSE(FromName<Detector>("FLD"));
+  EXPECT_EQ(ListNames<Detector>(), (std::vector<std::string>{"lsd", "edlines", "fld"}));
 }
 
 TEST(NearestName, CountsEdits) {

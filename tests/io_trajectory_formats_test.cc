@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "io/trajectory_formats.h"
+#include "io/trajectory.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "datasets/cad/collection_files.h"
+#include "datasets/cad/families.h"
 #include "io/category_yaml.h"
 #include "io/library_file.h"
 #include "support/category_examples.h"
@@ -27,7 +28,7 @@ using testing::TempFolder;
 std::string Learn(const std::string& arguments) {
   CLI::App app;
   int exit_status = -1;
-  AddLearnCommand(app, exit_status);
+  AddLearnCommand(app, SampleFamily, exit_status);
   ::testing::internal::CaptureStdout();
   try {
     app.parse("learn " + arguments);

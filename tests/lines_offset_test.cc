@@ -48,7 +48,8 @@ using DetectorParameters =
 
 LineOptions MakeOptions(const DetectorParameters& parameters) {
   LineOptions options;
-  std::tie(options.detector, options.published, options.edgedrawing_scale) = parameters;
+  options.detector = *FromName<LineDetectorKind>(std::get<0>(parameters));
+  std::tie(std::ignore, options.published, options.edgedrawing_scale) = parameters;
   return options;
 }
 
@@ -99,7 +100,8 @@ std::string FormatName(const ::testing::TestParamInfo<DetectorParameters>& teste
 }
 
 INSTANTIATE_TEST_SUITE_P(AllDetectors, LineOffset,
-                         ::testing::Combine(::testing::ValuesIn(LineDetectorNames()), ::testing::Bool(),
+                         ::testing::Combine(::testing::ValuesIn(ListNames<LineDetectorKind>()),
+                                            ::testing::Bool(),
                                             ::testing::Values(LineOptions{}.edgedrawing_scale)),
                          FormatName);
 INSTANTIATE_TEST_SUITE_P(HalfSize, LineOffset,

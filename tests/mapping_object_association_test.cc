@@ -76,15 +76,15 @@ struct FirstMap {
   ObjectOfObservation phi;
 
   explicit FirstMap(const std::vector<MapFrame>& frames) {
-    graph = MakeOdometryGraph(frames, {1, 0}, StepNoise{}, 2, 1);
+    graph = MakeOdometryGraph(frames, {1, 0}, StepNoise{});
     phi = BreakTracks(frames, 3, 4);
-    AddObjects(frames, phi, FactorNoise{}, graph);
+    AddObjects(frames, phi, graph);
   }
 };
 
 const WorldNoise kTrackNoise{.segment_pixels = 0.5, .depth = 0.04, .yaw_deg = 3, .shape = 0.3};
 
-TEST(FindJoins, TwoPiecesOfOneObjectBecomeOne) {
+TEST(FindMerges, TwoPiecesOfOneObjectBecomeOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
@@ -92,21 +92,21 @@ TEST(FindJoins, TwoPiecesOfOneObjectBecomeOne) {
   const std::vector<MapFrame> pieces = Spliced(frames, frames, 6);
   FirstMap map(pieces);
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  const std::vector<Join> joins = FindJoins(map.graph, pieces, std::nullopt, {});
-  ASSERT_EQ(joins.size(), 1u);
-  EXPECT_EQ(joins[0].kept, 1);  // of 10 views
-  EXPECT_EQ(joins[0].joined, 0);
-  EXPECT_FALSE(joins[0].flipped);
-  EXPECT_EQ(joins[0].turn, 0);
-  Apply(joins[0], map.graph, map.phi);
+  const std::vector<Merge> merges = FindMerges(map.graph, pieces, std::nullopt, {});
+  ASSERT_EQ(merges.size(), 1u);
+  EXPECT_EQ(merges[0].kept, 1);  // of 10 views
+  EXPECT_EQ(merges[0].joined, 0);
+  EXPECT_FALSE(merges[0].flipped);
+  EXPECT_EQ(merges[0].turn, 0);
+  ApplyMerge(merges[0], map.graph, map.phi);
   EXPECT_EQ(map.graph.objects.size(), 1u);
   EXPECT_EQ(map.graph.observations.size(), 16u);
   for (const ObjectFactor& factor : map.graph.observations) EXPECT_EQ(factor.object, 0);
   EXPECT_EQ(map.phi, ObjectOfObservation(16, {0}));
-  EXPECT_TRUE(FindJoins(map.graph, pieces, std::nullopt, {}).empty());
+  EXPECT_TRUE(FindMerges(map.graph, pieces, std::nullopt, {}).empty());
 }
 
-TEST(FindJoins, ObjectsBehindAJoinedOneMoveUp) {
+TEST(FindMerges, ObjectsBehindAJoinedOneMoveUp) {
   MapWorld world;
   world.Put("chair", -0.7, 2.5, 150);
   world.Put("table", 1.0, 3.0, 20);
@@ -116,9 +116,9 @@ TEST(FindJoins, ObjectsBehindAJoinedOneMoveUp) {
   FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 3u);
   const CategoryModel* table = map.graph.objects[1].model;
-  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
-  ASSERT_EQ(joins.size(), 1u);
-  Apply(joins[0], map.graph, map.phi);
+  const std::vector<Merge> merges = FindMerges(map.graph, frames, std::nullopt, {});
+  ASSERT_EQ(merges.size(), 1u);
+  ApplyMerge(merges[0], map.graph, map.phi);
   ASSERT_EQ(map.graph.objects.size(), 2u);
   for (size_t i = 0; i < frames.size(); ++i) {
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
@@ -142,29 +142,29 @@ std::vector<MapFrame> TurnedHalfway(MapWorld& world, const char* category, doubl
 double CostOfJoining(const std::vector<MapFrame>& frames, double turn) {
   FirstMap map(frames);
   EXPECT_EQ(map.graph.objects.size(), 2u);
-  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
-  EXPECT_EQ(joins.size(), 1u);
-  EXPECT_FALSE(joins[0].flipped);
-  EXPECT_NEAR(std::abs(joins[0].turn), turn, 0.1);
-  Apply(joins[0], map.graph, map.phi);
+  const std::vector<Merge> merges = FindMerges(map.graph, frames, std::nullopt, {});
+  EXPECT_EQ(merges.size(), 1u);
+  EXPECT_FALSE(merges[0].flipped);
+  EXPECT_NEAR(std::abs(merges[0].turn), turn, 0.1);
+  ApplyMerge(merges[0], map.graph, map.phi);
   return SolveMapGraph(map.graph, {}).final_cost;
 }
 
-TEST(FindJoins, ATableTurnedByHalfATurnIsTheSameTable) {
+TEST(FindMerges, ATableTurnedByHalfATurnIsTheSameTable) {
   MapWorld straight, turned;
   const double cost = CostOfJoining(TurnedHalfway(straight, "table", 0), 0);
   EXPECT_NEAR(CostOfJoining(TurnedHalfway(turned, "table"), M_PI), cost, 0.05 * cost);
 }
 
-TEST(FindJoins, AChairSeenTheWrongWayRoundIsJoinedWithoutItsTurn) {
+TEST(FindMerges, AChairSeenTheWrongWayRoundIsJoinedWithoutItsTurn) {
   MapWorld world;
   const std::vector<MapFrame> frames = TurnedHalfway(world, "chair");
   FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
-  ASSERT_EQ(joins.size(), 1u);
-  EXPECT_TRUE(joins[0].flipped);
-  Apply(joins[0], map.graph, map.phi);
+  const std::vector<Merge> merges = FindMerges(map.graph, frames, std::nullopt, {});
+  ASSERT_EQ(merges.size(), 1u);
+  EXPECT_TRUE(merges[0].flipped);
+  ApplyMerge(merges[0], map.graph, map.phi);
   int without_rotation = 0;
   for (const ObjectFactor& factor : map.graph.observations) {
     without_rotation += factor.A.leftCols<3>().norm() < 1e-2 * factor.A.norm() ? 1 : 0;
@@ -172,7 +172,7 @@ TEST(FindJoins, AChairSeenTheWrongWayRoundIsJoinedWithoutItsTurn) {
   EXPECT_EQ(without_rotation, 6);  // those of the smaller piece
 }
 
-TEST(FindJoins, NeighboursThatAreNeverSeenTogetherStayTwo) {
+TEST(FindMerges, NeighboursThatAreNeverSeenTogetherStayTwo) {
   MapWorld world, other;
   world.Put("chair", -0.35, 2.5, 150);
   other.Put("chair", 0.35, 2.5, 150);
@@ -182,10 +182,10 @@ TEST(FindJoins, NeighboursThatAreNeverSeenTogetherStayTwo) {
   FirstMap map(frames);
   map.graph.objects[1].model = map.graph.objects[0].model;  // each world has models of its own
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  EXPECT_TRUE(FindJoins(map.graph, frames, std::nullopt, {}).empty());
+  EXPECT_TRUE(FindMerges(map.graph, frames, std::nullopt, {}).empty());
 }
 
-TEST(FindJoins, WhatIsSeenTogetherIsNotOne) {
+TEST(FindMerges, WhatIsSeenTogetherIsNotOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
@@ -198,11 +198,11 @@ TEST(FindJoins, WhatIsSeenTogetherIsNotOne) {
     }
     const FirstMap map(doubled);
     ASSERT_EQ(map.graph.objects.size(), 2u);
-    EXPECT_EQ(FindJoins(map.graph, doubled, std::nullopt, {}).empty(), together > 2) << together;
+    EXPECT_EQ(FindMerges(map.graph, doubled, std::nullopt, {}).empty(), together > 2) << together;
   }
 }
 
-TEST(FindJoins, DifferentCategoriesAreNeverOne) {
+TEST(FindMerges, DifferentCategoriesAreNeverOne) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
@@ -212,7 +212,7 @@ TEST(FindJoins, DifferentCategoriesAreNeverOne) {
   const std::vector<MapFrame> frames = Spliced(chairs, world.Frames(kTrackNoise), 8);
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  EXPECT_TRUE(FindJoins(map.graph, frames, std::nullopt, {}).empty());
+  EXPECT_TRUE(FindMerges(map.graph, frames, std::nullopt, {}).empty());
 }
 
 Eigen::Isometry3d Shift(double x, double yaw_deg) {
@@ -238,28 +238,28 @@ std::vector<MapFrame> SeenAgain(const MapWorld& world, const Eigen::Isometry3d& 
   return again;
 }
 
-TEST(FindJoins, WhatIsSeenAgainAfterALoopIsJoinedUnlessOnlyRecentObjectsAre) {
+TEST(FindMerges, WhatIsSeenAgainAfterALoopIsJoinedUnlessOnlyRecentObjectsAre) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
   const std::vector<MapFrame> frames = SeenAgain(world, Shift(0.4, 4));
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  EXPECT_EQ(FindJoins(map.graph, frames, std::nullopt, {}).size(), 1u);
-  EXPECT_TRUE(FindJoins(map.graph, frames, 3.0, {}).empty());
+  EXPECT_EQ(FindMerges(map.graph, frames, std::nullopt, {}).size(), 1u);
+  EXPECT_TRUE(FindMerges(map.graph, frames, 3.0, {}).empty());
 }
 
-TEST(FindJoins, MoreThanTheOdometryCanHaveDriftedIsAnotherObject) {
+TEST(FindMerges, MoreThanTheOdometryCanHaveDriftedIsAnotherObject) {
   MapWorld world;
   world.Put("chair", 0, 2.5, 150);
   Walk(world);
   const std::vector<MapFrame> frames = SeenAgain(world, Shift(4, 0), 1);
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 2u);
-  EXPECT_TRUE(FindJoins(map.graph, frames, std::nullopt, {}).empty());
+  EXPECT_TRUE(FindMerges(map.graph, frames, std::nullopt, {}).empty());
 }
 
-TEST(FindJoins, AChairThatMayBeEitherOfTwoComesWithItsRivals) {
+TEST(FindMerges, AChairThatMayBeEitherOfTwoComesWithItsRivals) {
   MapWorld world;
   world.Put("chair", -0.35, 2.5, 150);
   world.Put("chair", 0.35, 2.5, 150);
@@ -267,10 +267,10 @@ TEST(FindJoins, AChairThatMayBeEitherOfTwoComesWithItsRivals) {
   const std::vector<MapFrame> frames = SeenAgain(world, Shift(0.35, 0));
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 4u);
-  EXPECT_GT(FindJoins(map.graph, frames, std::nullopt, {}).size(), 1u);
+  EXPECT_GT(FindMerges(map.graph, frames, std::nullopt, {}).size(), 1u);
 }
 
-TEST(FindJoins, WhatHasNoRivalsComesFirst) {
+TEST(FindMerges, WhatHasNoRivalsComesFirst) {
   MapWorld world;
   world.Put("chair", -0.35, 2.5, 150);
   world.Put("chair", 0.35, 2.5, 150);
@@ -279,12 +279,12 @@ TEST(FindJoins, WhatHasNoRivalsComesFirst) {
   const std::vector<MapFrame> frames = SeenAgain(world, Shift(0.35, 0));
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 6u);
-  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
-  ASSERT_EQ(joins.size(), 1u);
-  EXPECT_EQ(map.graph.objects[static_cast<size_t>(joins[0].kept)].model->spec.name, "table");
+  const std::vector<Merge> merges = FindMerges(map.graph, frames, std::nullopt, {});
+  ASSERT_EQ(merges.size(), 1u);
+  EXPECT_EQ(map.graph.objects[static_cast<size_t>(merges[0].kept)].model->spec.name, "table");
 }
 
-TEST(FindJoins, AChairThatWouldHaveToBeFlippedIsNoRival) {
+TEST(FindMerges, AChairThatWouldHaveToBeFlippedIsNoRival) {
   MapWorld world;
   world.Put("chair", -0.35, 2.5, 150);
   world.Put("chair", 0.35, 2.5, -30);
@@ -292,9 +292,9 @@ TEST(FindJoins, AChairThatWouldHaveToBeFlippedIsNoRival) {
   const std::vector<MapFrame> frames = SeenAgain(world, Shift(0.35, 0));
   const FirstMap map(frames);
   ASSERT_EQ(map.graph.objects.size(), 4u);
-  const std::vector<Join> joins = FindJoins(map.graph, frames, std::nullopt, {});
-  ASSERT_EQ(joins.size(), 1u);
-  EXPECT_FALSE(joins[0].flipped);
+  const std::vector<Merge> merges = FindMerges(map.graph, frames, std::nullopt, {});
+  ASSERT_EQ(merges.size(), 1u);
+  EXPECT_FALSE(merges[0].flipped);
 }
 
 TEST(DropUnseen, LaterObjectsMoveUp) {
@@ -327,8 +327,7 @@ class AssociateDetectionsTest : public ::testing::Test {
 
   ObjectOfObservation Associate(std::optional<double> seconds_between = {}) const {
     const FirstMap map(frames_);
-    return AssociateDetections(map.graph, changed_.empty() ? frames_ : changed_, map.phi, seconds_between,
-                               {});
+    return AssociateDetections(map.graph, changed_.empty() ? frames_ : changed_, map.phi, seconds_between);
   }
 
   MapWorld world_;
@@ -383,9 +382,8 @@ TEST_F(AssociateDetectionsTest, OnlyRecentObjectsWithoutLoopClosure) {
   FirstMap map(frames_);
   map.phi.assign(16, {-1, -1});
   for (size_t i = 0; i < 6; ++i) map.phi[i] = {0, 1};
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, std::nullopt, {})[10],
-            (std::vector<int>{0, 1}));
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, 3.0, {})[10], (std::vector<int>{-1, -1}));
+  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, std::nullopt)[10], (std::vector<int>{0, 1}));
+  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, 3.0)[10], (std::vector<int>{-1, -1}));
 }
 
 }  // namespace

@@ -192,10 +192,10 @@ TEST(Turn, IsWhatMakeObjectFactorDoesWithATurn) {
 
 // --- Views that see the front at the back
 
-TEST(ForgetRotation, LeavesTheMarginalOfTheRest) {
+TEST(MarginalizeRotation, LeavesTheMarginalOfTheRest) {
   const ObjectFactor factor = MakeObjectFactor(ExampleEvidence(), ExamplePose(), 0, FactorNoise{});
   ObjectFactor forgetful = factor;
-  ForgetRotation(forgetful);
+  MarginalizeRotation(forgetful);
   const Eigen::Index rest = 3 + kModes;
   const Eigen::MatrixXd marginal_covariance = InformationOf(factor).inverse().bottomRightCorner(rest, rest);
   const Eigen::MatrixXd H = InformationOf(forgetful);
@@ -203,10 +203,10 @@ TEST(ForgetRotation, LeavesTheMarginalOfTheRest) {
   EXPECT_LT(H.topRows<3>().norm(), 1e-6 * H.norm());
 }
 
-TEST(ForgetRotation, KeepsTheOptimumOfTheRest) {
+TEST(MarginalizeRotation, KeepsTheOptimumOfTheRest) {
   const ObjectFactor factor = MakeObjectFactor(ExampleEvidence(), ExamplePose(), 0, FactorNoise{});
   ObjectFactor forgetful = factor;
-  ForgetRotation(forgetful);
+  MarginalizeRotation(forgetful);
   const Eigen::VectorXd optimum = -InformationOf(factor).ldlt().solve(GradientOf(factor));
   const Eigen::Index rest = 3 + kModes;
   const Eigen::VectorXd forgotten =
@@ -214,9 +214,9 @@ TEST(ForgetRotation, KeepsTheOptimumOfTheRest) {
   EXPECT_TRUE(forgotten.isApprox(optimum.tail(rest), 1e-6));
 }
 
-TEST(ForgetRotation, TheResidualNoLongerFeelsATurnInPlace) {
+TEST(MarginalizeRotation, TheResidualNoLongerFeelsATurnInPlace) {
   ObjectFactor factor = MakeObjectFactor(ExampleEvidence(), ExamplePose(), 0, FactorNoise{});
-  ForgetRotation(factor);
+  MarginalizeRotation(factor);
   const PoseAndShape at = ExamplePose();
   EXPECT_LT((Residual(factor, Turned(at, 1.5)) - Residual(factor, at)).norm(), 1e-2);
 }

@@ -409,14 +409,14 @@ TEST(PlaceByOdometry, PlacesAnObjectThatOnlyUnsureViewsShow) {
 
 // --- While frames come in
 
-ObjectMap EmptyMap(const MappingOptions& options) { return {options, BoxOptions{}, ResectionOptions{}}; }
+ObjectMap EmptyMap(const MappingOptions& options, bool odometry_is_metric = false) {
+  return {options, BoxOptions{}, ResectionOptions{}, odometry_is_metric};
+}
 
 TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
   MapWorld world;
   FurnishRoom(world);
-  MappingOptions options;
-  options.first_solve = 20;
-  ObjectMap map = EmptyMap(options);
+  ObjectMap map = EmptyMap({});
   const std::vector<MapFrame> frames = world.Frames(kNoise);
   for (size_t i = 0; i < frames.size(); ++i) {
     map.Add(frames[i], kExpected);
@@ -425,7 +425,7 @@ TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
     ASSERT_EQ(map.current().phi.size(), i + 1);
     EXPECT_EQ(map.current().phi[i].size(), frames[i].observations.size());
     EXPECT_EQ(map.current().timestamps[i], frames[i].timestamp);
-    EXPECT_EQ(map.current().objects.empty(), i + 1 < 20) << i;
+    EXPECT_EQ(map.current().objects.empty(), static_cast<int>(i) + 1 < kFirstSolve) << i;
   }
   ASSERT_EQ(map.current().objects.size(), 3u);
   EXPECT_GT(map.current().objects[0].observations, 30);  // it has been solved again since
@@ -449,12 +449,10 @@ TEST(ObjectMap, InTheEndItIsTheMapOfAllFrames) {
   ExpectSameBytes(map.Solve(kExpected), Solve(frames, kExpected, {}));
 }
 
-TEST(ObjectMap, ScaleNoneIsMetres) {
+TEST(ObjectMap, MetricOdometryHasNoScale) {
   MapWorld world;
   FurnishRoom(world);
-  MappingOptions options;
-  options.scale = "none";
-  ObjectMap map = EmptyMap(options);
+  ObjectMap map = EmptyMap({}, true);
   for (const MapFrame& frame : world.Frames({.unit = 1.1})) map.Add(frame, kExpected);
   EXPECT_EQ(map.current().MeanScale(), 1);
   EXPECT_EQ(map.Solve(kExpected).MeanScale(), 1);

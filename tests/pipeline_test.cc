@@ -25,8 +25,7 @@ TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
   for (const char* category : {"chair", "table", "laptop"}) {
     SyntheticView synthetic(category, 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d(0.5, -0.5));
     synthetic.view.detection.azimuth = 0.6 + 12 * kDegree;  // the prior is off
-    EstimatorTimes times;
-    const SingleViewResult result = EstimateObject(synthetic.view, {}, {}, times);
+    const SingleViewResult result = EstimateObject(synthetic.view, {}, {});
     EXPECT_EQ(result.estimate.status, EstimateStatus::kOk) << category;
     const Eigen::Isometry3d& T = result.estimate.T_camera_object;
     const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
@@ -34,21 +33,20 @@ TEST(ObjectEstimator, FindsPoseAndShapeOfAPerfectView) {
     const double true_azimuth = ViewpointFromRotation(truth.linear(), truth.translation()).azimuth;
     EXPECT_LT(std::abs(WrapAngle(azimuth - true_azimuth)), 4 * kDegree) << category;
     EXPECT_LT((T.translation() - truth.translation()).norm(), 0.08 * truth.translation().norm()) << category;
-    EXPECT_GT(times.association_ms, 0);
-    EXPECT_GT(times.optimization_ms, 0);
+    EXPECT_GT(result.times.association_ms, 0);
+    EXPECT_GT(result.times.optimization_ms, 0);
   }
 }
 
 TEST(ObjectEstimator, ASymmetricTableIsNeverAmbiguousAndAFewLinesOfAChairAre) {
-  EstimatorTimes times;
   const SyntheticView table("table", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
-  EXPECT_FALSE(EstimateObject(table.view, {}, {}, times).estimate.ambiguous);
+  EXPECT_FALSE(EstimateObject(table.view, {}, {}).estimate.ambiguous);
   // A laptop's lid is at its rear: all lines seen, it cannot be turned round.
   const SyntheticView laptop("laptop", 0.6, {0.1, 0.2, 1.0}, Eigen::Vector2d::Zero());
-  EXPECT_FALSE(EstimateObject(laptop.view, {}, {}, times).estimate.ambiguous);
+  EXPECT_FALSE(EstimateObject(laptop.view, {}, {}).estimate.ambiguous);
   SyntheticView chair("chair", 0.0, {0.0, 0.2, 2.5}, Eigen::Vector2d::Zero());
   chair.view.segments.resize(2);
-  EXPECT_TRUE(EstimateObject(chair.view, {}, {}, times).estimate.ambiguous);
+  EXPECT_TRUE(EstimateObject(chair.view, {}, {}).estimate.ambiguous);
 }
 
 TEST(UpEstimator, FindsALookDownWithoutAnyViewpoint) {
@@ -59,29 +57,27 @@ TEST(UpEstimator, FindsALookDownWithoutAnyViewpoint) {
     const Eigen::Vector3d foot(-1.4 + 0.2 * i, 0.9 - 0.3 * (i % 2), 2.5 + 0.4 * (i % 3));
     segments.push_back({camera.Project(foot), camera.Project(foot + 0.7 * up)});
   }
-  UpEstimator estimator(UpOptions{});
-  EXPECT_LT(AngleDeg(estimator.Update(camera, segments, {}, std::nullopt).up_camera, up), 1);
+  UpEstimator estimator;
+  EXPECT_LT(AngleDeg(estimator.Predict(camera, segments, {}, std::nullopt).up_camera, up), 1);
 }
 
 TEST(ObjectEstimator, NoSegmentsAreTooFewEdges) {
   SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
   synthetic.view.segments.clear();
-  EstimatorTimes times;
-  EXPECT_EQ(EstimateObject(synthetic.view, {}, {}, times).estimate.status, EstimateStatus::kTooFewEdges);
+  EXPECT_EQ(EstimateObject(synthetic.view, {}, {}).estimate.status, EstimateStatus::kTooFewEdges);
 }
 
 TEST(ObjectEstimator, ThePrintedVariantRuns) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
   AssociationOptions association;
-  association.cost = "printed";
+  association.cost = AssociationCost::kPrinted;
   association.hypotheses.printed_translation = true;
   association.refined_hypotheses = 1;
   association.rounds = 1;
   ResectionOptions resection;
-  resection.mode = "alternating";
-  resection.normal_term = "printed";
-  EstimatorTimes times;
-  const SingleViewResult result = EstimateObject(synthetic.view, association, resection, times);
+  resection.mode = ResectionMode::kAlternating;
+  resection.normal_term = NormalTerm::kPrinted;
+  const SingleViewResult result = EstimateObject(synthetic.view, association, resection);
   EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());
   EXPECT_EQ(result.estimate.matches.size(),
             synthetic.model.spec.edge_names.size());  // every edge takes a segment
@@ -97,10 +93,10 @@ TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
     segments.push_back({{20.0 + 45 * i, 30}, {60.0 + 45 * i, 40 + 3.0 * i}});  // clutter
   }
   const UpVote rough{ExpSO3({0.06, 0, 0.05}) * up, 5 * kDegree};
-  UpEstimator estimator(UpOptions{});
+  UpEstimator estimator;
   UpEstimate estimate;
   for (int frame = 0; frame < 5; ++frame) {
-    estimate = estimator.Update(camera, segments, {rough, rough}, Eigen::Isometry3d::Identity());
+    estimate = estimator.Predict(camera, segments, {rough, rough}, Eigen::Isometry3d::Identity());
   }
   EXPECT_GT(AngleDeg(rough.up_camera, up), 4);
   EXPECT_LT(AngleDeg(estimate.up_camera, up), 1);
@@ -109,14 +105,14 @@ TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
 TEST(UpEstimator, EarlierFramesCountThroughTheOdometry) {
   const Camera camera{640, 480, 500, 500, 320, 240, {}};
   const Eigen::Vector3d up_odom = Eigen::Vector3d(0, -1, -0.5).normalized();
-  UpEstimator estimator(UpOptions{});
+  UpEstimator estimator;
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   for (int frame = 0; frame < 30; ++frame) {
     T.linear() = ExpSO3({0, 0.03 * frame, 0});
-    estimator.Update(camera, {}, {{T.linear().transpose() * up_odom, 5 * kDegree}}, T);
+    estimator.Predict(camera, {}, {{T.linear().transpose() * up_odom, 5 * kDegree}}, T);
   }
   T.linear() = ExpSO3({0.4, 1.0, 0});
-  const UpEstimate estimate = estimator.Update(camera, {}, {}, T);  // no vote of its own
+  const UpEstimate estimate = estimator.Predict(camera, {}, {}, T);  // no vote of its own
   EXPECT_LT(AngleDeg(estimate.up_camera, T.linear().transpose() * up_odom), 3);
 }
 
@@ -142,7 +138,7 @@ TEST(FloorHeight, IsLearntFromWhatStandsOnIt) {
   FloorHeight floor{FloorOptions{}};
   for (int frame = 0; frame < 60; ++frame) {
     floor.Predict(0.1 * frame, 0.0);
-    floor.Learn(MeasuredAs(synthetic.truth), synthetic.model, up);
+    floor.Update(MeasuredAs(synthetic.truth), synthetic.model, up);
   }
   EXPECT_NEAR(floor.Predict(6.0, 0.0)->camera_height, truth, 0.05);
   EXPECT_NEAR(floor.Predict(6.1, 0.3)->camera_height, truth + 0.3, 0.05);  // the camera rose
@@ -169,13 +165,13 @@ TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
     PoseAndShape seen{T.inverse() * T_world_object, synthetic.truth.coefficients};
     view.detection.azimuth =
         ViewpointFromRotation(seen.T_camera_object.linear(), seen.T_camera_object.translation()).azimuth;
-    tracks.Learn(frame == 0 ? -1 : 0, 0.1 * frame, view, MeasuredAs(seen), odometry_of(T));
-    tracks.Update(0.1 * frame);
+    tracks.Update(frame == 0 ? kNoTrack : 0, 0.1 * frame, view, MeasuredAs(seen), odometry_of(T));
+    tracks.Solve(0.1 * frame);
   }
   EXPECT_TRUE(tracks.Scale().IsKnown());
   EXPECT_NEAR(tracks.Scale().scale, scale, 0.1 * scale);
   const Eigen::Isometry3d T = camera_at(55);
-  const auto memory = tracks.Recall(0, odometry_of(T), *view.up_camera);
+  const auto memory = tracks.Predict(0, odometry_of(T), *view.up_camera);
   ASSERT_TRUE(memory);
   const Eigen::Isometry3d expected = T.inverse() * T_world_object;
   EXPECT_LT((memory->expected.T_camera_object.translation() - expected.translation()).norm(), 0.1);
@@ -185,8 +181,8 @@ TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
 TEST(ObjectTracks, ADetectionWhereTheObjectIsExpectedContinuesItsTrack) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
   ObjectTracks tracks{TrackOptions{}};
-  tracks.Learn(-1, 0, synthetic.view, MeasuredAs(synthetic.truth), Eigen::Isometry3d::Identity());
-  tracks.Update(0);
+  tracks.Update(kNoTrack, 0, synthetic.view, MeasuredAs(synthetic.truth), Eigen::Isometry3d::Identity());
+  tracks.Solve(0);
   ObjectView elsewhere = synthetic.view;
   elsewhere.detection.box.x += 300;
   EXPECT_EQ(tracks.Associate(0.1, {elsewhere, synthetic.view}, Eigen::Isometry3d::Identity()),
@@ -199,11 +195,11 @@ TEST(ObjectTracks, PriorsTurnedByHalfATurnAreOutvoted) {
   ObjectView view = synthetic.view;
   for (int frame = 0; frame < 10; ++frame) {
     view.detection.azimuth = 0.6 + (frame == 4 ? M_PI : 0.0);
-    tracks.Learn(frame == 0 ? -1 : 0, 0.1 * frame, view, MeasuredAs(synthetic.truth),
-                 Eigen::Isometry3d::Identity());
-    tracks.Update(0.1 * frame);
+    tracks.Update(frame == 0 ? kNoTrack : 0, 0.1 * frame, view, MeasuredAs(synthetic.truth),
+                  Eigen::Isometry3d::Identity());
+    tracks.Solve(0.1 * frame);
   }
-  const auto memory = tracks.Recall(0, Eigen::Isometry3d::Identity(), *view.up_camera);
+  const auto memory = tracks.Predict(0, Eigen::Isometry3d::Identity(), *view.up_camera);
   ASSERT_TRUE(memory);
   const Eigen::Vector3d front = synthetic.truth.T_camera_object.linear().col(2);
   const double yaw = std::atan2(front.dot(memory->yaw_quarter), front.dot(memory->yaw_zero));

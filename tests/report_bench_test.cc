@@ -7,7 +7,9 @@
 #include "bench/bench_json.h"
 #include "eval/report/bench_results.h"
 #include "eval/report/headline.h"
+#include "eval/report/report_plots.h"
 #include "support/expect_input_error.h"
+#include "support/path_override.h"
 #include "support/temp_folder.h"
 
 namespace armature {
@@ -29,10 +31,8 @@ BenchReport TwoEngines() {
   span("keypoints:hourglass", "detection", 440);
   span("keypoints:hourglass", "optimization", 10);
   span("keypoints:hourglass", "total", 450);
-  Table ratios;
-  ratios.columns = {"engine", "n", "times lines:default"};
-  ratios.rows = {{TextCell("keypoints:hourglass"), CountCell(5), NumberCell(74.5, 2)}};
-  section.tables = {ratios};
+  section.ratios = {
+      {"comparison", "seq1", "keypoints:hourglass", "lines:default", ComputeStatistics({74.5}).value()}};
   for (const char* engine : {"lines:default", "keypoints:hourglass"}) {
     BenchSeries series{.contender = engine, .x_label = "objects", .y_label = "total [ms]"};
     series.points = {{1, Milliseconds(3)}, {20, Milliseconds(9)}};
@@ -63,7 +63,7 @@ TEST_F(ReportBench, TimesBesideThePapers) {
   ASSERT_EQ(figures.size(), 3u);
   EXPECT_EQ(figures[0].ours, "6.00 ms");
   EXPECT_EQ(figures[0].paper, "360.25 ms");
-  EXPECT_EQ(figures[1].ours, "74.5 times");  // the table's, of pairs; not 450 / 6
+  EXPECT_EQ(figures[1].ours, "74.5 times");  // of pairs; not 450 / 6
   EXPECT_EQ(figures[1].paper, "2.37 times");
   EXPECT_EQ(figures[2].ours, "450.00 ms");
   EXPECT_EQ(figures[2].paper, "855.00 ms");
@@ -73,20 +73,82 @@ TEST_F(ReportBench, StagesAreStackedWithoutTheTotal) {
   const auto all = MakeStageBars(Read());
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].sequence, "seq1");
-  EXPECT_EQ(all[0].stages, (std::vector<std::string>{"detection", "mapping", "optimization"}));
-  ASSERT_EQ(all[0].bars.size(), 2u);
-  EXPECT_EQ(all[0].bars[0].milliseconds, (std::vector<double>{4, 2, 0}));
-  EXPECT_EQ(all[0].bars[1].milliseconds, (std::vector<double>{440, 0, 10}));
+  const StackedBars& bars = all[0].bars;
+  EXPECT_EQ(bars.stages, (std::vector<std::string>{"detection", "mapping", "optimization"}));
+  ASSERT_EQ(bars.bars.size(), 2u);
+  EXPECT_EQ(bars.bars[0].parts, (std::vector<double>{4, 2, 0}));
+  EXPECT_EQ(bars.bars[1].parts, (std::vector<double>{440, 0, 10}));
 }
 
 TEST_F(ReportBench, CurvesOverTheSameAxesShareAPlot) {
   const BenchResults bench = Read();
   ASSERT_EQ(bench.curves.size(), 1u);
-  EXPECT_EQ(bench.curves[0].x_label, "objects");
-  ASSERT_EQ(bench.curves[0].curves.size(), 2u);
-  EXPECT_EQ(bench.curves[0].curves[1].points[1].x, 20);
-  EXPECT_EQ(bench.curves[0].curves[1].points[1].median, 9);
+  const Plot& plot = bench.curves[0].plot;
+  EXPECT_EQ(plot.x_label, "objects");
+  ASSERT_EQ(plot.series.size(), 2u);
+  EXPECT_EQ(plot.series[1].x[1], 20);
+  EXPECT_EQ(plot.series[1].y[1], 9);
+  EXPECT_FALSE(plot.log_x || plot.log_y);
   EXPECT_EQ(bench.environment[0].first, "benchmark: machine");
+}
+
+TEST_F(ReportBench, AxesAreLogarithmicWhereSmallValuesCouldNotBeRead) {
+  json_["series"][0]["points"][0]["x"] = 0.1;
+  json_["series"][0]["points"][0]["median"] = 0.1;
+  const Plot plot = Read().curves[0].plot;
+  EXPECT_TRUE(plot.log_x && plot.log_y);
+  json_["series"][0]["points"][0]["x"] = 0;
+  json_["series"][0]["points"][0]["median"] = 0;
+  const Plot with_zero = Read().curves[0].plot;
+  EXPECT_FALSE(with_zero.log_x || with_zero.log_y);
+}
+
+void ExpectTextsInPicture(const ReportPlot& plot, const std::vector<std::string>& texts) {
+  EXPECT_EQ(plot.picture.mime, "image/svg+xml");
+  for (const std::string& text : texts) EXPECT_NE(plot.picture.bytes.find(text), std::string::npos) << text;
+}
+
+TEST_F(ReportBench, PlotsNameWhatTheyShow) {
+  const BenchResults bench = Read();
+  std::vector<std::string> remarks;
+  const auto bars = DrawStageBars(MakeStageBars(bench), bench.objects, remarks);
+  const auto curves = DrawTimeCurves(bench.curves, remarks);
+  const auto ablations = DrawAblationBars({{"seq1", "Pitch", "deg", {{"none", 2.38}, {"all", 1}}}}, remarks);
+  ASSERT_EQ(bars.size(), 1u);
+  EXPECT_EQ(bars[0].caption, "Median time of each stage, frames of seq1 with 3 objects");
+  ExpectTextsInPicture(bars[0], {">detection<", ">mapping<", ">lines:default<", ">6.0 ms<", ">450.0 ms<"});
+  ASSERT_EQ(curves.size(), 1u);
+  ExpectTextsInPicture(curves[0], {">objects<", ">total [ms]<", ">lines:default<", ">keypoints:hourglass<"});
+  EXPECT_EQ(curves[0].picture.alt, "total [ms] against objects: lines:default, keypoints:hourglass");
+  ASSERT_EQ(ablations.size(), 1u);
+  ExpectTextsInPicture(ablations[0], {">none<", ">2.38 deg<"});
+  EXPECT_TRUE(remarks.empty());
+}
+
+TEST_F(ReportBench, NothingToShowIsNoPlot) {
+  std::vector<std::string> remarks;
+  EXPECT_TRUE(DrawStageBars({{"seq1", {}}}, 3, remarks).empty());
+  EXPECT_TRUE(DrawTimeCurves({{"seq1", {}}}, remarks).empty());
+  EXPECT_TRUE(DrawAblationBars({{"seq1", "Pitch", "deg", {{"none", 0}}}}, remarks).empty());
+  EXPECT_TRUE(remarks.empty());
+}
+
+TEST_F(ReportBench, WithoutGnuplotARemarkStandsForThePlots) {
+  const BenchResults bench = Read();
+  std::vector<std::string> remarks;
+  const testing::PathOverride nowhere(folder_.path());
+  EXPECT_TRUE(DrawTimeCurves(bench.curves, remarks).empty());
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_TRUE(remarks[0].starts_with("The plots are left out: cannot start gnuplot")) << remarks[0];
+}
+
+TEST_F(ReportBench, AMissingKeyIsNamed) {
+  const Json whole = json_;
+  json_["ratios"][0].erase("reference");
+  ExpectRefusedBench({"bench.json", "'reference'"});
+  json_ = whole;
+  json_["settings"].erase("objects");
+  ExpectRefusedBench({"bench.json", "'objects'"});
 }
 
 TEST_F(ReportBench, BadFilesAreRefused) {

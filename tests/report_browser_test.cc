@@ -80,9 +80,9 @@ TEST(ReportInABrowser, DrawsSortsAndEnlargesWithoutComplaint) {
             "--window-size=1400,1000 --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader");
   EXPECT_EQ(messages, kOnlyTheProbe);
   EXPECT_EQ(seen["cells"], ShownCells(SampleReport()));
-  EXPECT_EQ(seen["bars"], json({8 + 7}));  // all, and those that start within the enlarged scale
-  EXPECT_EQ(seen["curves"], json({2}));
-  EXPECT_EQ(seen["ablations"], json({2}));
+  ASSERT_EQ(seen["plots"].size(), 3u);  // bars, curves, and the normal term's bars
+  for (const json& plot : seen["plots"]) EXPECT_EQ(plot["drawn"], true) << plot;
+  EXPECT_NE(seen["plots"][1]["alt"].get<std::string>().find("lines, keypoints"), std::string::npos);
   EXPECT_EQ(seen["panels"], json({2, 1}));
   EXPECT_EQ(seen["objects"], json({6, 3}));
   EXPECT_EQ(seen["errors"], json({4, 0}));
@@ -97,6 +97,7 @@ TEST(ReportInABrowser, DrawsSortsAndEnlargesWithoutComplaint) {
   EXPECT_EQ(seen["sorted"][2], json({"none", column}));
   EXPECT_EQ(seen["enlarged"], json({true, "later"}));
   EXPECT_EQ(seen["backgrounds"], json({"rgb(255, 255, 255)", "rgb(21, 24, 27)"}));  // light, then dark
+  EXPECT_EQ(seen["plots"][0]["background"], "rgb(255, 255, 255)");
 }
 
 TEST(ReportInABrowser, IsReadableOnANarrowScreenWithoutWebGl) {

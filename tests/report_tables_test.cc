@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a report takes from tables.
+// What a report takes from records and tables.
 #include <gtest/gtest.h>
 
 #include "eval/report/ablation_bars.h"
@@ -14,57 +14,70 @@ namespace {
 
 using testing::ExpectInputError;
 
-Table PaperLikeTable() {
-  Table table;
-  table.name = "paper";
-  table.columns = {"Sequence", "Approach", "# Objects", "Best", "Worst", "Average"};
-  const auto row = [&](const char* sequence, const char* approach, long objects, const std::string& average) {
-    table.rows.push_back({TextCell(sequence), TextCell(approach), CountCell(objects), NoCell(), NoCell(),
-                          Cell{average, !average.empty()}});
-  };
-  row("kitchen", "odometry only", 6, "0.2000");
-  row("kitchen", "objects, loop closure", 6, "0.0652");
-  row("seq1", "odometry only", 7, "0.1122");
-  row("seq1", "objects, loop closure (run)", 7, "0.0490");
-  row("seq1", "objects, loop closure (other)", 7, "0.0777");
-  row("seq2", "objects, loop closure", 0, "");
-  row("paper 1", "ORB", 7, "0.457");
-  row("paper 1", "Ours", 7, "0.5030");
-  return table;
+ObjectRecord OfAll(const std::string& sequence, const std::string& run, Approach approach,
+                   MatchedBy matched_by, std::optional<double> error_m) {
+  return {.sequence = sequence,
+          .run = run,
+          .approach = approach,
+          .matched_by = matched_by,
+          .found = error_m ? 7 : 0,
+          .object_error_mean_m = error_m};
+}
+
+EvaluationRecords SomeObjects() {
+  constexpr Approach kLoops = Approach::kObjectsLoopClosure;
+  EvaluationRecords records;
+  ObjectRecord chairs = OfAll("seq1", "run", kLoops, MatchedBy::kDetections, 0.01);
+  chairs.category = "chair";
+  records.objects = {OfAll("kitchen", "run", Approach::kOdometryOnly, MatchedBy::kDistance, 0.2),
+                     OfAll("kitchen", "run", kLoops, MatchedBy::kDistance, 0.0652),
+                     OfAll("seq1", "run", Approach::kOdometryOnly, MatchedBy::kDetections, 0.1122),
+                     OfAll("seq1", "run", kLoops, MatchedBy::kDistance, 0.0333),
+                     chairs,
+                     OfAll("seq1", "run", kLoops, MatchedBy::kDetections, 0.049),
+                     OfAll("seq1", "other", kLoops, MatchedBy::kDetections, 0.0777),
+                     OfAll("seq2", "run", kLoops, MatchedBy::kDistance, std::nullopt)};
+  records.paper = {{.sequence = "1", .approach = "ORB", .objects = 7, .object_error_mean_m = 0.457},
+                   {.sequence = "1", .approach = "Ours", .objects = 7, .object_error_mean_m = 0.503}};
+  return records;
 }
 
 TEST(ReportHeadline, LocalizationOfTheFirstRunBesideThePapersSequence) {
-  const auto figures = LocalizationFigures({PaperLikeTable()});
+  const auto figures = LocalizationFigures(SomeObjects());
   ASSERT_EQ(figures.size(), 2u);  // nothing was found on seq2
   EXPECT_EQ(figures[0].label, "Localization error on kitchen, average");
   EXPECT_EQ(figures[0].ours, "0.0652 m");
   EXPECT_EQ(figures[0].paper, "") << "the paper has no such sequence";
-  EXPECT_EQ(figures[1].ours, "0.0490 m");
+  EXPECT_EQ(figures[1].ours, "0.0490 m") << "by detections, as the paper's table";
   EXPECT_EQ(figures[1].ours_value, 0.049);
-  EXPECT_EQ(figures[1].paper, "0.5030 m");
+  EXPECT_EQ(figures[1].paper, "0.503 m");
   EXPECT_EQ(figures[1].paper_value, 0.503);
+  EXPECT_TRUE(figures[1].remark.starts_with("7 objects; objects, loop closure (run)")) << figures[1].remark;
   EXPECT_NE(figures[1].remark.find("a sequence of its own"), std::string::npos) << figures[1].remark;
 }
 
-TEST(ReportHeadline, NothingWithoutTables) {
+TEST(ReportHeadline, NothingWithoutRecords) {
   EXPECT_TRUE(LocalizationFigures({}).empty());
   EXPECT_TRUE(RetrievalFigures({}).empty());
   EXPECT_TRUE(TimingFigures({}).empty());
 }
 
 TEST(ReportHeadline, RetrievalOfTheChairsOfAllSequencesOfTheFirstRun) {
-  Table table;
-  table.name = "retrieval";
-  table.columns = {"run", "sequence", "category", "queries", "top-1 [%]", "top-5 [%]", "Chamfer [cm]"};
-  const auto row = [&](const char* run, const char* sequence, const char* category, double top_1) {
-    table.rows.push_back({TextCell(run), TextCell(sequence), TextCell(category), CountCell(14),
-                          NumberCell(top_1, 1), NumberCell(100, 1), NoCell()});
+  EvaluationRecords records;
+  const auto add = [&](const char* run, std::optional<std::string> sequence, const char* category,
+                       double top_1) {
+    records.retrieval.push_back({.sequence = std::move(sequence),
+                                 .run = run,
+                                 .category = category,
+                                 .queries = 14,
+                                 .top_1_share = top_1,
+                                 .top_5_share = 1});
   };
-  row("a", "seq1", "chair", 50);
-  row("a", "all", "table", 60);
-  row("a", "all", "chair", 92.9);
-  row("b", "all", "chair", 10);
-  const auto figures = RetrievalFigures({table});
+  add("a", "seq1", "chair", 0.5);
+  add("a", std::nullopt, "table", 0.6);
+  add("a", std::nullopt, "chair", 0.929);
+  add("b", std::nullopt, "chair", 0.1);
+  const auto figures = RetrievalFigures(records);
   ASSERT_EQ(figures.size(), 2u);  // without Chamfer distance
   EXPECT_EQ(figures[0].ours, "92.9 %");
   EXPECT_EQ(figures[1].ours, "100.0 %");
@@ -73,18 +86,16 @@ TEST(ReportHeadline, RetrievalOfTheChairsOfAllSequencesOfTheFirstRun) {
 }
 
 TEST(ReportAblation, ABarForTheFirstRunWithEachNormalTerm) {
-  Table table;
-  table.name = "normal";
-  table.sequence = "seq1";
-  table.columns = {"run", "normal term", "observations: pitch mean", "objects: pitch mean"};
-  const auto row = [&](const char* run, const char* term, double pitch) {
-    table.rows.push_back({TextCell(run), TextCell(term), NumberCell(pitch, 2), NoCell()});
+  std::vector<UprightnessRecord> records;
+  const auto add = [&](const char* run, const char* term, double pitch_deg) {
+    records.push_back(
+        {.sequence = "seq1", .run = run, .normal_term = term, .view_pitch_mean_deg = pitch_deg});
   };
-  row("default", "axis", 1.25);
-  EXPECT_TRUE(NormalTermBars({table}).empty());
-  row("fast", "axis", 1.5);
-  row("without", "none", 2.5);
-  const auto all = NormalTermBars({table});
+  add("default", "axis", 1.25);
+  EXPECT_TRUE(NormalTermBars(records).empty());
+  add("fast", "axis", 1.5);
+  add("without", "none", 2.5);
+  const auto all = NormalTermBars(records);
   ASSERT_EQ(all.size(), 1u);  // of objects nothing was measured
   EXPECT_EQ(all[0].sequence, "seq1");
   EXPECT_EQ(all[0].caption, "Mean absolute pitch of observations");

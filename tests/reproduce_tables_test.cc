@@ -2,38 +2,52 @@
 #include <gtest/gtest.h>
 
 #include "app/reproduce/matrix_tables.h"
+#include "support/expect_input_error.h"
 
 namespace armature {
 namespace {
 
-using nlohmann::json;
-
-json ObjectRow(const std::string& run, const std::string& approach, double average) {
-  return {{"run", run},          {"approach", approach}, {"category", "all"}, {"observed", 4},
-          {"found", 3},          {"spurious", 1},        {"best [m]", 0.01},  {"average [m]", average},
-          {"worst [m]", nullptr}};
+ObjectRecord ErrorsOf(const std::string& sequence, Approach approach, double mean_m) {
+  return {.sequence = sequence,
+          .run = "objects",
+          .approach = approach,
+          .observed = 4,
+          .found = 3,
+          .spurious = 1,
+          .object_error_best_m = 0.01,
+          .object_error_mean_m = mean_m};
 }
 
-json TableOf(const std::string& table, const std::string& sequence, const json& rows) {
-  return {{"table", table}, {"sequence", sequence}, {"rows", rows}};
+// Two draws of one scene; the second one's folder is not called as its sequence.
+MatrixEvaluation SmallEvaluation() {
+  constexpr Approach kLoops = Approach::kObjectsLoopClosure;
+  MatrixEvaluation evaluation{"records.json", {}};
+  EvaluationRecords& records = evaluation.records;
+  records.runs = {{"runs/objects/seq1", "seq1", "objects"}, {"runs/objects/seq1-draw2", "other", "objects"}};
+  ObjectRecord chair = ErrorsOf("seq1", kLoops, 9), by_detections = ErrorsOf("seq1", kLoops, 8);
+  chair.category = "chair";
+  by_detections.matched_by = MatchedBy::kDetections;
+  records.objects = {by_detections, chair, ErrorsOf("seq1", Approach::kOdometryOnly, 0.5),
+                     ErrorsOf("seq1", kLoops, 0.1), ErrorsOf("other", kLoops, 0.3)};
+  const auto camera = [&](AlignmentKind alignment, double rmse_m) {
+    records.trajectories.push_back({.sequence = "seq1",
+                                    .run = "objects",
+                                    .trajectory = TrajectoryKind::kOdometryScaled,
+                                    .alignment = alignment,
+                                    .ate_rmse_m = rmse_m});
+  };
+  camera(AlignmentKind::kSe3, 0.125);
+  camera(AlignmentKind::kFirstPose, 0.25);
+  records.views = {
+      {.sequence = "seq1", .run = "objects", .only_ok = true, .detections = 4},
+      {.sequence = "seq1", .run = "objects", .detections = 4, .views_within_15_deg_share = 0.75}};
+  return evaluation;
 }
 
-// Two draws of one scene.
-EvaluatedNumbers Numbers() {
-  json chair = ObjectRow("objects", "objects, loop closure", 9);
-  chair["category"] = "chair";
-  return EvaluatedNumbers(json{
-      {"tables",
-       {TableOf("objects", "seq1",
-                {chair, ObjectRow("objects", "odometry only", 0.5),
-                 ObjectRow("objects", "objects, loop closure", 0.1)}),
-        TableOf("objects", "seq1-draw2", json::array({ObjectRow("objects", "objects, loop closure", 0.3)})),
-        TableOf("trajectory", "seq1",
-                {{{"run", "objects"},
-                  {"trajectory", "odometry_scaled"},
-                  {"alignment", "first_pose"},
-                  {"ATE rmse [m]", 0.25}}})}}});
-}
+const std::vector<JobRecord> kSmallJobs{
+    {.name = "runs/objects/seq1", .status = JobStatus::kReused},
+    {.name = "runs/objects/seq1-draw2", .status = JobStatus::kDone},
+    {.name = "runs/paper/seq1", .status = JobStatus::kFailed, .reason = "it broke"}};
 
 Matrix SmallMatrix() {
   Matrix matrix;
@@ -46,14 +60,13 @@ Matrix SmallMatrix() {
 }
 
 TEST(ReproduceTables, EachVariantHasItsNumbersAndOutcome) {
-  const std::vector<JobRecord> jobs{
-      {.name = "runs/objects/seq1", .status = JobStatus::kReused},
-      {.name = "runs/paper/seq1", .status = JobStatus::kFailed, .reason = "it broke"}};
-  const Table table = MatrixTable(SmallMatrix(), jobs, Numbers());
+  const MatrixEvaluation evaluation = SmallEvaluation();
+  const Table table = MatrixTable(SmallMatrix(), kSmallJobs, &evaluation);
   ASSERT_EQ(table.rows.size(), 3u);
   const auto text = [&](size_t row, size_t column) { return table.rows[row][column].text; };
   EXPECT_EQ(text(0, 6), "0.1000") << "of all categories";
-  EXPECT_EQ(text(0, 7), "") << "no number in the table, none here";
+  EXPECT_EQ(text(0, 7), "") << "an error that is not known";
+  EXPECT_EQ(text(0, 10), "75.0");
   EXPECT_EQ(text(0, 11), "done");
   EXPECT_EQ(text(1, 6), "0.5000") << "of the run's odometry";
   EXPECT_EQ(text(1, 9), "0.2500");
@@ -62,16 +75,24 @@ TEST(ReproduceTables, EachVariantHasItsNumbersAndOutcome) {
 }
 
 TEST(ReproduceTables, WithoutAnyEvaluationThereAreStillTheOutcomes) {
-  const Table table = MatrixTable(SmallMatrix(), {}, EvaluatedNumbers(nullptr));
+  const Table table = MatrixTable(SmallMatrix(), {}, nullptr);
   ASSERT_EQ(table.rows.size(), 3u);
   EXPECT_EQ(table.rows[0].back().text, "not run");
 }
 
+TEST(ReproduceTables, AnEvaluationWithoutARunThatSucceededIsAnError) {
+  MatrixEvaluation evaluation = SmallEvaluation();
+  evaluation.records.runs.front().folder = "runs/objects/seq7";
+  testing::ExpectInputError([&] { MatrixTable(SmallMatrix(), kSmallJobs, &evaluation); },
+                            {"records.json", "runs/objects/seq1"});
+}
+
 TEST(ReproduceTables, DrawsHaveMeanAndSpread) {
   Matrix matrix = SmallMatrix();
-  EXPECT_FALSE(DrawsTable(matrix, Numbers())) << "one draw has no spread";
+  const MatrixEvaluation evaluation = SmallEvaluation();
+  EXPECT_FALSE(DrawsTable(matrix, kSmallJobs, &evaluation)) << "one draw has no spread";
   matrix.seeds = 2;
-  const Table table = *DrawsTable(matrix, Numbers());
+  const Table table = *DrawsTable(matrix, kSmallJobs, &evaluation);
   const auto& row = table.rows.at(0);
   EXPECT_EQ(row[2].text, "2");
   EXPECT_EQ(row[3].text, "0.2000");

@@ -22,7 +22,8 @@ ImageEvidence OneLeg(double leg_end_sigma, double short_by) {
   ResectionOptions options;
   options.box_weight = 0;
   options.leg_end_sigma = leg_end_sigma;
-  return EvidenceAt(chair.view, {}, {{kLeg, segment, 0}}, projected, chair.truth, {}, options);
+  const std::vector<EdgeMatch> matches = {{kLeg, segment, 0}};
+  return EvidenceAt({chair.view, {}, matches, projected, chair.truth, {}, options});
 }
 
 TEST(LegEnds, AddInformationAlongTheLegAndNoPullAtTheTruth) {

@@ -87,7 +87,7 @@ TEST(ResectionProblem, MemoryDerivativesAgreeWithCentralDifferences) {
   const SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
   ResectionProblem problem = ProblemOf(synthetic);
   const TrackPrior memory = MemoryOf(synthetic);
-  problem.memory = &memory;
+  problem.track_prior = &memory;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(problem.NumParameters(), 0.05);
   Eigen::VectorXd residuals(problem.NumResiduals());
   Eigen::MatrixXd J(problem.NumResiduals(), problem.NumParameters());
@@ -116,7 +116,7 @@ TEST_P(ResectionDerivatives, GiveTheNormalEquationsOfTheirJacobian) {
   x << 0.1, -0.2, 0.05, 0.02, 0.03, -0.04, 0.5, -0.4, 0.3, 0.2, -0.1, 0.15, 0.25;
   const TrackPrior memory = MemoryOf(synthetic);
   for (const TrackPrior* remembered : {static_cast<const TrackPrior*>(nullptr), &memory}) {
-    problem.memory = remembered;
+    problem.track_prior = remembered;
     ExpectNormalEquationsOfTheJacobian<7>(problem, x);
     ExpectNormalEquationsOfTheJacobian<Eigen::Dynamic>(problem, x);
   }
@@ -149,7 +149,7 @@ TEST(ResectionSolver, AgreesWithCeres) {
   const SolverOptions options{.max_iterations = 300, .function_tolerance = 0, .parameter_tolerance = 1e-12};
   for (const double off : {0.0, 0.02, 0.08}) {
     for (const TrackPrior* remembered : {static_cast<const TrackPrior*>(nullptr), &memory}) {
-      problem.memory = remembered;
+      problem.track_prior = remembered;
       Eigen::VectorXd ours = Eigen::VectorXd::Constant(problem.NumParameters(), off), theirs = ours;
       const SolverResult small = SolveResection(problem, options, ours);
       const SolverResult ceres = SolveResectionWithCeres(problem, options, theirs);
@@ -230,8 +230,8 @@ ResectionResult ResectRounds(const SyntheticView& synthetic, PoseAndShape at, co
   for (int round = 0; round < rounds; ++round) {
     const ProjectedWireframe projected = synthetic.Project(at);
     const Matching matching = MatchSegments(projected, synthetic.view.segments, {30, 0.3});
-    result =
-        Resect(synthetic.view, synthetic.view.sides, matching.matches, projected, at, BoxOptions{}, options);
+    result = Resect(
+        {synthetic.view, synthetic.view.sides, matching.matches, projected, at, BoxOptions{}, options});
     at = result.estimate;
   }
   return result;
@@ -257,7 +257,7 @@ TEST(Resection, RecoversPoseAndShapeFromPerfectLines) {
     options.max_iterations = 30;
     options.shape_weight = 0.01;  // hardly a prior: the lines and the box decide
     const ResectionResult result = ResectRounds(synthetic, start, options, rounds);
-    EXPECT_TRUE(result.finite);
+    EXPECT_TRUE(result.finite());
     EXPECT_LT(PoseError(result.estimate, synthetic.truth), pose) << category;
     EXPECT_LT((result.estimate.coefficients - synthetic.truth.coefficients).cwiseAbs().maxCoeff(), shape)
         << category;
@@ -276,10 +276,10 @@ TEST(Resection, JointCostIsNoHigherThanAlternating) {
   const Matching matching = MatchSegments(projected, synthetic.view.segments, {30, 0.3});
   ResectionOptions joint, alternating;
   joint.max_iterations = alternating.max_iterations = 30;
-  alternating.mode = "alternating";
+  alternating.mode = ResectionMode::kAlternating;
   const auto cost = [&](const ResectionOptions& options) {
-    return Resect(synthetic.view, synthetic.view.sides, matching.matches, projected, start, BoxOptions{},
-                  options)
+    return Resect({synthetic.view, synthetic.view.sides, matching.matches, projected, start, BoxOptions{},
+                   options})
         .cost;
   };
   EXPECT_LE(cost(joint), cost(alternating) * 1.001);
@@ -290,8 +290,8 @@ TEST(Resection, DepthIsTheLeastCertainDirection) {
   const ProjectedWireframe projected = synthetic.Project(synthetic.truth);
   const Matching matching = MatchSegments(projected, synthetic.view.segments, {4, 0.1});
   const Eigen::Matrix<double, 6, 6> covariance =
-      PoseCovariance(synthetic.view, synthetic.view.sides, matching.matches, projected, synthetic.truth,
-                     BoxOptions{}, ResectionOptions{});
+      PoseCovariance({synthetic.view, synthetic.view.sides, matching.matches, projected, synthetic.truth,
+                      BoxOptions{}, ResectionOptions{}});
   EXPECT_LT((covariance - covariance.transpose()).norm(), 1e-9);
   EXPECT_GT(covariance(5, 5), 10 * covariance(3, 3));
   EXPECT_GT(covariance(5, 5), 10 * covariance(4, 4));

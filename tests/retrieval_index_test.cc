@@ -13,7 +13,7 @@ namespace {
 
 IndexMethod MethodNamed(const std::string& name) {
   IndexMethod method;
-  method.name = name;
+  method.kind = *FromName<IndexKind>(name);
   return method;
 }
 
@@ -64,7 +64,7 @@ class SeededMethod : public ::testing::TestWithParam<std::string> {};
 
 std::string TheName(const ::testing::TestParamInfo<std::string>& info) { return info.param; }
 
-INSTANTIATE_TEST_SUITE_P(InstanceIndex, EveryMethod, ::testing::ValuesIn(IndexMethodNames()), TheName);
+INSTANTIATE_TEST_SUITE_P(InstanceIndex, EveryMethod, ::testing::ValuesIn(ListNames<IndexKind>()), TheName);
 INSTANTIATE_TEST_SUITE_P(InstanceIndex, ExactMethod, ::testing::Values("linear", "kdtree_single"), TheName);
 INSTANTIATE_TEST_SUITE_P(InstanceIndex, SeededMethod, ::testing::Values("kdtree", "kmeans"), TheName);
 

@@ -101,7 +101,7 @@ TEST_F(FrameRetrieval, OnlyThoseWithinTheRadius) {
 
 TEST_F(FrameRetrieval, TheSpaceIsTheOneAskedFor) {
   RetrievalOptions raw = Plain();
-  raw.features.space = "raw";
+  raw.features.space = FeatureSpace::kRaw;
   raw.features.modes = 2;
   const RetrievedInstance nearest = Retrieve(raw).front();
   const Eigen::Vector3d off =

@@ -50,14 +50,14 @@ void ExpectNear(const std::vector<Neighbour>& actual, const std::vector<Neighbou
 TEST(Features, AreCoefficientsInDeviationsOrMetres) {
   const CategoryInstances instances = FrameInstances(SomeCoefficients(4));
   EXPECT_EQ(Features(instances, kDeviations, {}), instances.coefficients);
-  const Eigen::MatrixXf raw = Features(instances, kDeviations, {.space = "raw"});
+  const Eigen::MatrixXf raw = Features(instances, kDeviations, {.space = FeatureSpace::kRaw});
   EXPECT_TRUE(raw.isApprox(kDeviations.cast<float>().asDiagonal() * instances.coefficients));
 }
 
 // Metres: as far apart as the shape vectors are.
 TEST(Features, RawDistancesAreThoseOfTheShapes) {
   const CategoryInstances instances = FrameInstances(SomeCoefficients(2));
-  const Eigen::MatrixXf raw = Features(instances, kDeviations, {.space = "raw"});
+  const Eigen::MatrixXf raw = Features(instances, kDeviations, {.space = FeatureSpace::kRaw});
   EXPECT_NEAR((raw.col(0) - raw.col(1)).norm(), (instances.edges.col(0) - instances.edges.col(1)).norm(),
               1e-5);
 }
@@ -76,7 +76,7 @@ TEST(Features, SizesAreMoreDimensions) {
   EXPECT_EQ(whitened.row(0), instances.coefficients.row(0));
   EXPECT_TRUE(whitened.bottomRows(3).isApprox(4 * instances.sizes));
   const Eigen::MatrixXf raw =
-      Features(instances, kDeviations, {.space = "raw", .with_size = true, .size_sigma = 0.25});
+      Features(instances, kDeviations, {.space = FeatureSpace::kRaw, .with_size = true, .size_sigma = 0.25});
   EXPECT_EQ(raw.bottomRows(3), instances.sizes) << "metres are metres";
 }
 
@@ -84,7 +84,7 @@ TEST(Features, AQueryIsDescribedAsTheInstancesAre) {
   const CategoryInstances instances = FrameInstances(SomeCoefficients(3));
   const ShapeQuery query{
       instances.coefficients.col(1).cast<double>(), instances.sizes.col(1).cast<double>(), {}};
-  for (const char* space : {"whitened", "raw"}) {
+  for (const FeatureSpace space : {FeatureSpace::kWhitened, FeatureSpace::kRaw}) {
     const FeatureOptions options{.space = space, .modes = 2, .with_size = true};
     EXPECT_EQ(ComputeFeatures(query, kDeviations, options), Features(instances, kDeviations, options).col(1));
   }

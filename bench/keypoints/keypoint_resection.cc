@@ -100,11 +100,11 @@ ResectionResult ResectKeypoints(const ObjectView& view, const std::vector<ShapeP
   ResectionResult result{.estimate = start};
   for (const double widening : {16, 4, 1}) {
     ResectionProblem problem =
-        MakeProblem(view, keypoints, seen, result.estimate, options, widening * options.loss_scale);
+        MakeProblem(view, keypoints, seen, result.estimate, options, widening * kSegmentLossScale);
     const int iterations = result.iterations;
     result = ResectFrom(problem, result.estimate.coefficients, options);
     result.iterations += iterations;
-    if (!result.finite) break;
+    if (!result.finite()) break;
   }
   return result;
 }

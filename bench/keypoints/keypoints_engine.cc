@@ -40,8 +40,7 @@ std::vector<SeenKeypoint> SeenIn(const KeypointInput& object) {
 class KeypointsEngine : public Engine {
  public:
   KeypointsEngine(KeypointsMode mode, const Options& options, std::vector<CategoryModel> models)
-      : cut_tolerance_(options.association.box.cut_tolerance),
-        resection_(options.resection),
+      : resection_(options.resection),
         categories_(MakeKeypointCategories(std::move(models))),
         pass_(MakePass(mode, categories_)) {}
 
@@ -57,9 +56,7 @@ class KeypointsEngine : public Engine {
 
   bool IsStateless() const override { return true; }
 
-  void Start(const BenchSequence& sequence) override {
-    inputs_ = MakeKeypointInputs(sequence, categories_, cut_tolerance_);
-  }
+  void Start(const BenchSequence& sequence) override { inputs_ = MakeKeypointInputs(sequence, categories_); }
 
   FrameOutcome Process(const BenchFrame& frame) override {
     FrameOutcome outcome;
@@ -86,7 +83,6 @@ class KeypointsEngine : public Engine {
   }
 
  private:
-  double cut_tolerance_;
   ResectionOptions resection_;
   KeypointCategories categories_;
   std::unique_ptr<ForwardPass> pass_;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_association.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "bench/micro/micro_families.h"
 #include "geometry/rotation.h"
 
 namespace armature {
@@ -14,9 +13,8 @@ constexpr size_t kMatchingSegments = 80;  // the most that association takes
 constexpr int kMatchingCalls = 500;
 constexpr int kHypothesesCalls = 20;
 
-std::shared_ptr<const MicroView> SharedView(const CategoryModel& model, size_t segments,
-                                            const MicroSetup& setup) {
-  return std::make_shared<const MicroView>(model, segments, setup.association.box);
+std::shared_ptr<const MicroView> SharedView(const CategoryModel& model, size_t segments) {
+  return std::make_shared<const MicroView>(model, segments);
 }
 
 std::vector<Hypothesis> MakeMicroHypotheses(const MicroView& micro, const AssociationOptions& options) {
@@ -24,7 +22,7 @@ std::vector<Hypothesis> MakeMicroHypotheses(const MicroView& micro, const Associ
 }
 
 Contender HypothesisContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = SharedView(model, kMicroSegments, setup);
+  const auto micro = SharedView(model, kMicroSegments);
   const std::vector<Hypothesis> hypotheses = MakeMicroHypotheses(*micro, setup.association);
   return MicroContender(name, static_cast<double>(hypotheses.size()),
                         [micro, hypotheses, options = setup.association] {
@@ -34,7 +32,7 @@ Contender HypothesisContender(const std::string& name, const CategoryModel& mode
 }
 
 Contender HypothesesContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = SharedView(model, kMicroSegments, setup);
+  const auto micro = SharedView(model, kMicroSegments);
   const size_t made = MakeMicroHypotheses(*micro, setup.association).size();
   return MicroContender(name, static_cast<double>(made * kHypothesesCalls),
                         [micro, options = setup.association] {
@@ -43,7 +41,7 @@ Contender HypothesesContender(const std::string& name, const CategoryModel& mode
 }
 
 Contender MatchingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = SharedView(model, kMatchingSegments, setup);
+  const auto micro = SharedView(model, kMatchingSegments);
   const MatchGate gate = SearchGate(micro->view, setup.association);
   return MicroContender(name, kMatchingCalls, [micro, gate, projected = micro->Project(micro->truth)] {
     for (int i = 0; i < kMatchingCalls; ++i) MatchSegments(projected, micro->view.segments, gate);
@@ -54,12 +52,11 @@ Contender MatchingContender(const std::string& name, const CategoryModel& model,
 
 MatchGate SearchGate(const ObjectView& view, const AssociationOptions& options) {
   const double diagonal = std::hypot(view.detection.box.width, view.detection.box.height);
-  return {std::max(options.final_gate_pixels, options.search_gate * diagonal),
-          options.search_angle_deg * kDegree};
+  return {std::max(options.final_gate_pixels, options.search_gate * diagonal), kSearchAngleDeg * kDegree};
 }
 
 MatchGate FinalGate(const AssociationOptions& options) {
-  return {options.final_gate_pixels, options.final_angle_deg * kDegree};
+  return {options.final_gate_pixels, kFinalAngleDeg * kDegree};
 }
 
 double HypothesisCost(const MicroView& micro, const Hypothesis& hypothesis, const AssociationOptions& options,
@@ -74,7 +71,7 @@ double HypothesisCost(const MicroView& micro, const Hypothesis& hypothesis, cons
       PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
   DetermineVisibility(micro.camera, spec, wireframe, T, view.occluders, scratch);
   const double covered = CoveredLength(scratch, view.segments, SearchGate(view, options));
-  return prior + LineCost(view, scratch, covered, options.coverage);
+  return prior + LineCost(scratch, covered);
 }
 
 std::vector<MicroBenchmark> AssociationBenchmarks(const MicroSetup& setup) {

@@ -6,10 +6,8 @@
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
-#include "bench/micro/micro_association.h"
-#include "bench/micro/micro_neighbours.h"
-#include "bench/micro/micro_pose_graph.h"
-#include "bench/micro/micro_resection.h"
+#include "bench/micro/micro_families.h"
+#include "bench/sections/calibrated_race.h"
 
 namespace armature {
 namespace {
@@ -95,6 +93,17 @@ Table MicroTable(const std::vector<MicroBenchmark>& benchmarks, const std::vecto
       "us: wall clock a call; n runs of many calls each, taking turns with the others, so p90 and std are of "
       "runs, not of calls.");
   return table;
+}
+
+BenchSection MicroSection(const std::vector<MicroBenchmark>& benchmarks) {
+  BenchSection section{.name = "micro", .sequence = ""};
+  std::vector<Contender> contenders;
+  contenders.reserve(benchmarks.size());
+  for (const MicroBenchmark& benchmark : benchmarks) contenders.push_back(benchmark.make());
+  RaceCalibrated(std::move(contenders), kMicroRuns + kMicroWarmUp, {kMicroWarmUp, 1}, section);
+  section.spans = MicroSpans(benchmarks, section.rows);
+  section.tables = {MicroTable(benchmarks, section.spans)};
+  return section;
 }
 
 }  // namespace armature

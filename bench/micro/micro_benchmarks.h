@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All micro-benchmarks by name, and what is said about their times.
+// All micro-benchmarks by name, taking turns, and what is said about their times.
 #pragma once
 
+#include "bench/bench_report.h"
 #include "bench/micro/micro_benchmark.h"
 #include "io/named_span.h"
 #include "io/text_table.h"
 
 namespace armature {
+
+// Runs of each that count, and before those that do not.
+inline constexpr size_t kMicroRuns = 40;
+inline constexpr size_t kMicroWarmUp = 3;
+
+BenchSection MicroSection(const std::vector<MicroBenchmark>& benchmarks);
 
 std::vector<MicroBenchmark> MicroBenchmarks(const MicroSetup& setup);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_neighbours.h"
-
 #include <optional>
 
+#include "bench/micro/micro_families.h"
 #include "geometry/random.h"
 #include "retrieval/instance_index.h"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_pose_graph.h"
-
 #include <cmath>
 #include <memory>
 
+#include "bench/micro/micro_families.h"
 #include "geometry/random.h"
 
 namespace armature {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bench/micro/micro_resection.h"
 
 #include <algorithm>
 #include <memory>
 
-#include "bench/micro/micro_association.h"
+#include "bench/micro/micro_families.h"
 
 namespace armature {
 namespace {
@@ -15,35 +14,34 @@ constexpr int kAlternations = 5;
 
 Contender ResectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup,
                           const ResectionOptions& resection) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   const PoseAndShape start = micro->NearTruth();
   const std::vector<EdgeMatch> matches = MicroMatches(*micro, kMatchedLines, setup.association);
   return MicroContender(
       name, kSolves,
       [micro, start, matches, resection, projected = micro->Project(start), box = setup.association.box] {
         for (int i = 0; i < kSolves; ++i)
-          Resect(micro->view, micro->view.sides, matches, projected, start, box, resection);
+          Resect({micro->view, micro->view.sides, matches, projected, start, box, resection});
       });
 }
 
 Contender JointContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions joint = setup.resection;
-  joint.mode = "joint";
+  joint.mode = ResectionMode::kJoint;
   return ResectContender(name, model, setup, joint);
 }
 
 Contender AlternatingContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
   ResectionOptions alternating = setup.resection;
-  alternating.mode = "alternating";
+  alternating.mode = ResectionMode::kAlternating;
   alternating.alternations = kAlternations;
   return ResectContender(name, model, setup, alternating);
 }
 
 Contender ObjectContender(const std::string& name, const CategoryModel& model, const MicroSetup& setup) {
-  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments, setup.association.box);
+  const auto micro = std::make_shared<const MicroView>(model, kMicroSegments);
   return MicroContender(name, 1, [micro, association = setup.association, resection = setup.resection] {
-    EstimatorTimes times;
-    EstimateObject(micro->view, association, resection, times);
+    EstimateObject(micro->view, association, resection);
   });
 }
 

@@ -50,8 +50,7 @@ std::vector<Segment> Segments(const ProjectedWireframe& projected, const Box& bo
 
 }  // namespace
 
-MicroView::MicroView(const CategoryModel& category, size_t segments, const BoxOptions& options)
-    : model(category) {
+MicroView::MicroView(const CategoryModel& category, size_t segments) : model(category) {
   for (const Eigen::VectorXd& c : model.dictionary) dictionary.push_back(WireframeFromCoefficients(model, c));
   truth.coefficients = Eigen::VectorXd::Zero(model.modes());
   const double size = BoundingBoxSize(WireframeFromCoefficients(model, truth.coefficients)).norm();
@@ -65,8 +64,8 @@ MicroView::MicroView(const CategoryModel& category, size_t segments, const BoxOp
   view.detection.category = model.spec.name;
   view.detection.box = ExpectedBox(camera, model, truth).value();
   view.detection.azimuth = kAzimuth + kAzimuthError;
-  view.sides = SidesAtImageBorder(view.detection.box, camera, options.cut_tolerance);
-  view.hidden_probability = HiddenProbabilities(view.detection.box, {}, options);
+  view.sides = SidesAtImageBorder(view.detection.box, camera);
+  view.hidden_probability = HiddenProbabilities(view.detection.box, {});
   view.segments = Segments(Project(truth), view.detection.box, segments);
 }
 

@@ -20,7 +20,7 @@ struct MicroView {
   PoseAndShape truth;
   ObjectView view;  // points to camera and model
 
-  MicroView(const CategoryModel& category, size_t segments, const BoxOptions& options);
+  MicroView(const CategoryModel& category, size_t segments);
   MicroView(const MicroView&) = delete;
   MicroView& operator=(const MicroView&) = delete;
 

@@ -21,7 +21,8 @@ constexpr double kMegabyte = 1 << 20;
 }  // namespace
 
 std::string ContenderName(const IndexMethod& method) {
-  return IsExact(method) ? method.name : fmt::format("{}:{}", method.name, method.checks);
+  const std::string name = ToName(method.kind);
+  return IsExact(method) ? name : fmt::format("{}:{}", name, method.checks);
 }
 
 SavedStructure::SavedStructure(const Eigen::MatrixXf& features, const IndexMethod& method)

@@ -16,7 +16,7 @@ const std::vector<std::string>& BenchTableNames();
 
 // Measured in processes of their own, before sequences are loaded: see memory_section.h.
 inline const std::string kMemoryTable = "memory";
-// Of fixed inputs, without a sequence: see micro_section.h and retrieval_section.h.
+// Of fixed inputs, without a sequence: see micro_benchmarks.h and retrieval_section.h.
 inline const std::string kMicroTable = "micro";
 inline const std::string kRetrievalTable = "retrieval";
 

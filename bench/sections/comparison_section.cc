@@ -10,7 +10,6 @@
 #include "base/paper_figures.h"
 #include "bench/bench_sequence.h"
 #include "bench/sections/calibrated_race.h"
-#include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
 
@@ -115,16 +114,13 @@ Table StatisticsTable(const std::vector<NamedSpan>& spans) {
   return table;
 }
 
-Table RatioTable(const std::vector<BenchRow>& rows, const std::vector<std::string>& engines, size_t objects) {
+Table RatioTable(const std::vector<NamedRatio>& ratios, const std::string& ours, size_t objects) {
   Table table;
-  const std::string& ours = engines.front();
   table.columns = {"engine", "n", fmt::format("times {}", ours), "p10", "p90"};
-  for (const std::string& engine : engines) {
-    if (engine == ours) continue;
-    const auto s = ComputeStatistics(PairedRatios(rows, engine, ours));
-    if (!s) continue;
-    table.rows.push_back({TextCell(engine), CountCell(static_cast<long>(s->n)), NumberCell(s->median, 2),
-                          NumberCell(s->p10, 2), NumberCell(s->p90, 2)});
+  for (const NamedRatio& named : ratios) {
+    const SpanStatistics& s = named.ratio;
+    table.rows.push_back({TextCell(named.contender), CountCell(static_cast<long>(s.n)),
+                          NumberCell(s.median, 2), NumberCell(s.p10, 2), NumberCell(s.p90, 2)});
   }
   const double n = static_cast<double>(objects);
   table.rows.push_back({TextCell("paper: keypoints over its lines"), NoCell(),
@@ -145,8 +141,9 @@ BenchSection ComparisonSection(const BenchTask& task) {
     return row.outcome.objects == static_cast<int>(settings.objects);
   });
   section.spans = CollectSpans(section.name, section.sequence, used, settings.engines);
+  section.ratios = CollectRatios(section.name, section.sequence, used, settings.engines);
   section.tables = {StageTable(used, settings.engines, settings.objects), StatisticsTable(section.spans),
-                    RatioTable(used, settings.engines, settings.objects)};
+                    RatioTable(section.ratios, settings.engines.front(), settings.objects)};
   AddNotes(task, used, section.tables[0]);
   const std::string where = fmt::format("{}: frames of {} with {} objects", task.sequence.name,
                                         ImageSize(task.sequence.camera), settings.objects);

@@ -20,7 +20,7 @@ Table StageTable(const std::vector<BenchRow>& rows, const std::vector<std::strin
 // A row a stage and engine.
 Table StatisticsTable(const std::vector<NamedSpan>& spans);
 
-// How many times as long each other engine takes as the first, paired by frame.
-Table RatioTable(const std::vector<BenchRow>& rows, const std::vector<std::string>& engines, size_t objects);
+// How many times as long each other engine takes as `ours`, paired by frame.
+Table RatioTable(const std::vector<NamedRatio>& ratios, const std::string& ours, size_t objects);
 
 }  // namespace armature

@@ -20,7 +20,8 @@ constexpr double kAccuracyMargin = 0.1;
 const char* RegionName(const LineOptions& lines) { return lines.boxes_only ? "boxes" : "whole image"; }
 
 std::vector<Cell> ChoiceCells(const DetectorChoice& choice) {
-  return {TextCell(choice.lines.detector), TextCell(choice.parameters), TextCell(RegionName(choice.lines))};
+  return {TextCell(ToName(choice.lines.detector)), TextCell(choice.parameters),
+          TextCell(RegionName(choice.lines))};
 }
 
 Contender MakeContender(const DetectorChoice& choice, LinesEngine& engine, const BenchTask& task,
@@ -73,7 +74,8 @@ void AddAccuracy(const Findings& findings, std::vector<Cell>& row) {
 
 size_t FindLsd(const std::vector<DetectorChoice>& choices) {
   const auto found = std::find_if(choices.begin(), choices.end(), [](const DetectorChoice& choice) {
-    return choice.lines.detector == "lsd" && !choice.lines.published && !choice.lines.boxes_only;
+    return choice.lines.detector == LineDetectorKind::kLsd && !choice.lines.published &&
+           !choice.lines.boxes_only;
   });
   return static_cast<size_t>(found - choices.begin());
 }
@@ -101,13 +103,13 @@ std::vector<std::string> Notes(const BenchTask& task, const std::string& fastest
   return notes;
 }
 
-// The ways in which a detector can be set, by name. Edgedrawing's tuned ones also as preset `fast` has them.
-std::vector<std::pair<std::string, LineOptions>> ListParameters(const std::string& detector,
+// The ways in which a detector can be set. Edgedrawing's tuned ones also as preset `fast` has them.
+std::vector<std::pair<std::string, LineOptions>> ListParameters(LineDetectorKind detector,
                                                                 LineOptions options) {
   options.detector = detector;
   options.published = false;
   std::vector<std::pair<std::string, LineOptions>> all{{"tuned", options}};
-  if (detector == "edgedrawing") {
+  if (detector == LineDetectorKind::kEdgeDrawing) {
     all.emplace_back("half size", options);
     all.back().second.edgedrawing_scale = 0.5;
   }
@@ -120,8 +122,8 @@ std::vector<std::pair<std::string, LineOptions>> ListParameters(const std::strin
 
 std::vector<DetectorChoice> DetectorChoices(const LineOptions& options) {
   std::vector<DetectorChoice> choices;
-  for (const std::string& name : LineDetectorNames()) {
-    for (const auto& [parameters, lines] : ListParameters(name, options)) {
+  for (const auto& [detector, name] : EnumNames<LineDetectorKind>::kTable) {
+    for (const auto& [parameters, lines] : ListParameters(detector, options)) {
       for (const bool boxes_only : {false, true}) {
         DetectorChoice& choice = choices.emplace_back();
         choice.parameters = parameters;

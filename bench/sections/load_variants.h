@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pipeline with more or less to do: what is varied to see how times grow.
+// The pipeline with more or less to do: what is varied to see how times grow, and how much work that gives
+// association.
 #pragma once
 
 #include <deque>
@@ -8,8 +9,23 @@
 
 #include "bench/engine.h"
 #include "bench/engines.h"
+#include "category/category_model.h"
+#include "geometry/camera.h"
+#include "pipeline/frame_result.h"
+#include "pipeline/options.h"
 
 namespace armature {
+
+// Means over the objects of a frame.
+struct ViewCounts {
+  double hypotheses = 0;  // made, before any is left out; what a track remembers would add one
+  double segments = 0;    // in the box, at most association.max_segments
+};
+
+// Makes the views and hypotheses of the frame's objects again, to count them; boxes are taken as they are,
+// also those of a distorting lens. Requires an object.
+ViewCounts CountViews(const FrameResult& frame, const Camera& camera,
+                      const std::vector<CategoryModel>& models, const Options& options);
 
 enum class Load { kHypotheses, kSegments, kImageSize };
 

@@ -12,7 +12,6 @@
 #include "base/paper_figures.h"
 #include "bench/bench_sequence.h"
 #include "bench/sections/calibrated_race.h"
-#include "bench/sections/sparse_inputs.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
 

@@ -31,14 +31,14 @@ struct RetrievalTask {
 
 IndexMethod ExactScan() {
   IndexMethod method;
-  method.name = "linear";
+  method.kind = IndexKind::kLinear;
   return method;
 }
 
 // One structure: an approximate one is searched with several numbers of checks.
-std::vector<IndexMethod> MethodsNamed(const std::string& name) {
+std::vector<IndexMethod> MethodsOfKind(IndexKind kind) {
   IndexMethod method;
-  method.name = name;
+  method.kind = kind;
   if (IsExact(method)) return {method};
   std::vector<IndexMethod> methods;
   for (const int checks : kChecks) {
@@ -49,7 +49,7 @@ std::vector<IndexMethod> MethodsNamed(const std::string& name) {
 }
 
 size_t CountQueries(const IndexMethod& method, const RetrievalTask& task) {
-  if (method.name != ExactScan().name) return task.truth.size();
+  if (method.kind != ExactScan().kind) return task.truth.size();
   return std::min(task.truth.size(), std::max(2 * kRetrievalWarmUp, kScanned / task.instances()));
 }
 
@@ -111,8 +111,8 @@ void MeasureSize(size_t instances, size_t queries, BenchSection& section) {
       MakeSyntheticLibrary(static_cast<Eigen::Index>(instances), static_cast<Eigen::Index>(queries)), {}};
   section.tables[1].rows.push_back(LibraryRow(instances, MeasureLibrary(task.library)));
   task.truth = CollectAnswers(InstanceIndex(task.library.features, ExactScan()), task.library.queries);
-  for (const std::string& name : IndexMethodNames()) {
-    const std::vector<IndexMethod> methods = MethodsNamed(name);
+  for (const auto& [kind, name] : EnumNames<IndexKind>::kTable) {
+    const std::vector<IndexMethod> methods = MethodsOfKind(kind);
     SavedStructure structure(task.library.features, methods.front());
     AddCalibration(section);
     for (const IndexMethod& method : methods) MeasureMethod(method, task, structure, section);

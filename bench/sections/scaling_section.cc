@@ -10,7 +10,6 @@
 #include "bench/lines_engine.h"
 #include "bench/sections/calibrated_race.h"
 #include "bench/sections/load_variants.h"
-#include "bench/sections/view_counts.h"
 #include "bench/span_notes.h"
 #include "bench/spans.h"
 

@@ -9,7 +9,7 @@
 
 #include "base/interrupt.h"
 #include "base/number_format.h"
-#include "datasets/cad/ply.h"
+#include "io/ply_text.h"
 
 namespace armature {
 namespace {
@@ -52,6 +52,10 @@ std::string EdgeRows(const CadInstance& instance) {
 
 }  // namespace
 
+std::string CadPlyText(const Mesh& mesh) {
+  return PlyText(MakeTriangles(mesh), PlyColours::kOfTriangles, "metres, y up, front +z");
+}
+
 void WriteCollection(const std::vector<CadInstance>& collection, const std::filesystem::path& folder) {
   std::string instances = "id,category,held_out,size_x,size_y,size_z,mesh\n";
   std::map<std::string, std::string> edges;  // by file
@@ -62,7 +66,7 @@ void WriteCollection(const std::vector<CadInstance>& collection, const std::file
         EdgeRows(instance);
     std::error_code error;  // shows when the file in it cannot be written
     std::filesystem::create_directory(folder / instance.category, error);
-    WriteFile(folder / MeshName(instance), PlyText(instance.mesh));
+    WriteFile(folder / MeshName(instance), CadPlyText(instance.mesh));
   }
   WriteFile(folder / "instances.csv", instances);
   for (const auto& [name, rows] : edges) WriteFile(folder / name, "model,edge,x1,y1,z1,x2,y2,z2\n" + rows);

@@ -9,11 +9,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "datasets/cad/cad_instance.h"
 
 namespace armature {
+
+// The bytes of a model's file: PLY whose triangles have the colours of their materials.
+std::string CadPlyText(const Mesh& mesh);
 
 // Writes the files into an existing folder. Throws std::runtime_error when one cannot be written.
 void WriteCollection(const std::vector<CadInstance>& collection, const std::filesystem::path& folder);

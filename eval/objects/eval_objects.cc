@@ -44,14 +44,11 @@ EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
                                    const ObjectEvaluationOptions& options) {
   const std::vector<CategorySpec> specs = CollectSpecs(models);
   const SequenceTruth truth = LoadSequenceTruth(runs.front().truth, specs);
-  std::vector<fs::path> folders;
-  for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
-  const std::vector<std::string> names = RunNames(folders, truth.name);
   EvaluatedSequence evaluated{{truth.name, truth.truth.objects_source, options, {}}, {}};
-  for (size_t i = 0; i < runs.size(); ++i) {
-    const RunResults run = LoadRun(folders[i]);
-    evaluated.objects.runs.push_back({names[i], EvaluateRunObjects(run, truth, specs, options)});
-    evaluated.observations.push_back({names[i], EvaluateRun(run, truth, models, CadLibrary())});
+  for (const RunToEvaluate& to_evaluate : runs) {
+    const RunResults run = LoadRun(to_evaluate.run.folder);
+    evaluated.objects.runs.push_back({to_evaluate.name, EvaluateRunObjects(run, truth, specs, options)});
+    evaluated.observations.push_back({to_evaluate.name, EvaluateRun(run, truth, models, CadLibrary())});
   }
   return evaluated;
 }
@@ -111,25 +108,31 @@ void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
-                                       const std::vector<CategoryModel>& models,
-                                       const std::vector<std::string>& names, bool is_asked,
-                                       const ObjectArguments& arguments) {
+Evaluation MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
+                               const std::vector<CategoryModel>& models,
+                               const std::vector<std::string>& names, bool is_asked,
+                               const ObjectArguments& arguments) {
   const auto has = [&](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  std::vector<Table> tables;
+  Evaluation made;
   std::vector<SequenceObjects> all;
-  for (const EvaluatedSequence& sequence :
+  for (const auto& [objects, observations] :
        EvaluateSequences(runs, models, MakeOptions(arguments), is_asked)) {
-    if (has("objects")) tables.push_back(ObjectSummaryTable(sequence.objects));
-    if (has("each_object")) tables.push_back(EachObjectTable(sequence.objects));
-    if (has("normal")) tables.push_back(NormalTermTable(sequence.objects, sequence.observations));
-    all.push_back(sequence.objects);
+    if (has("objects")) made.tables.push_back(ObjectSummaryTable(objects));
+    if (has("each_object")) made.tables.push_back(EachObjectTable(objects));
+    if (has("normal")) made.tables.push_back(NormalTermTable(objects, observations));
+    made.Append({.records = {.objects = MakeObjectRecords(objects),
+                             .uprightness = MakeUprightnessRecords(objects, observations)}});
+    all.push_back(objects);
   }
-  if (has("paper") && !all.empty()) tables.push_back(PaperTable(all, PaperNumbers(arguments.paper)));
+  if (has("paper") && !all.empty()) {
+    const std::vector<PaperObjectErrors> paper = PaperNumbers(arguments.paper);
+    made.tables.push_back(PaperTable(all, paper));
+    made.records.paper = MakePaperRecords(paper);
+  }
   WriteRawObjects(arguments.raw, all);
-  return tables;
+  return made;
 }
 
 }  // namespace armature

@@ -9,7 +9,7 @@
 
 #include "category/category_model.h"
 #include "eval/eval_inputs.h"
-#include "io/text_table.h"
+#include "eval/evaluation.h"
 
 namespace armature {
 
@@ -29,13 +29,14 @@ inline const std::vector<std::string> kObjectTableNames{"objects", "each_object"
 // --first-n and --tolerance are the trajectories'.
 void AddObjectArguments(CLI::App& command, ObjectArguments& arguments);
 
-// The named tables: a sequence after the other, then the paper's table of all. `is_asked`: also of sequences
+// The named tables: a sequence after the other, then the paper's table of all; the records of all maps.
+// `is_asked`: also of sequences
 // none of whose runs has a map, without rows; otherwise they are left out, and a line on standard error says
 // so. Writes the raw rows. Throws InputError: a bad argument, a malformed or missing file, a file that cannot
 // be written.
-std::vector<Table> MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
-                                       const std::vector<CategoryModel>& models,
-                                       const std::vector<std::string>& names, bool is_asked,
-                                       const ObjectArguments& arguments);
+Evaluation MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
+                               const std::vector<CategoryModel>& models,
+                               const std::vector<std::string>& names, bool is_asked,
+                               const ObjectArguments& arguments);
 
 }  // namespace armature

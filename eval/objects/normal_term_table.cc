@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "base/statistics.h"
@@ -25,7 +26,7 @@ struct Tilts {
 Tilts OfMap(const RunObjects& objects) {
   Tilts tilts;
   for (const EvaluatedMap& map : objects.maps) {
-    if (map.by_odometry) continue;
+    if (map.is_by_odometry()) continue;
     for (const EvaluatedObject& object : map.by_distance) {
       if (object.error) tilts.Add(object.error->orientation.pitch_deg, object.error->orientation.roll_deg);
     }
@@ -42,27 +43,59 @@ Tilts OfObservations(const RunEvaluation& evaluation) {
   return tilts;
 }
 
-void PushMeanAndMedian(const std::vector<double>& values, std::vector<Cell>& row) {
-  if (values.empty()) {
-    row.insert(row.end(), 2, NoCell());
-    return;
-  }
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  row.push_back(NumberCell(sum / static_cast<double>(values.size()), 2));
-  row.push_back(NumberCell(Median(values), 2));
+std::optional<double> FindMean(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void PushTilts(const Tilts& tilts, std::vector<Cell>& row) {
-  row.push_back(CountCell(static_cast<long>(tilts.pitch.size())));
-  PushMeanAndMedian(tilts.pitch, row);
-  PushMeanAndMedian(tilts.roll, row);
+std::optional<double> FindMedian(const std::vector<double>& values) {
+  return values.empty() ? std::nullopt : std::optional(Median(values));
+}
+
+UprightnessRecord MakeUprightnessRecord(const std::string& sequence, const NamedObjects& run,
+                                        const NamedEvaluation& evaluation) {
+  const Tilts map = OfMap(run.objects), views = OfObservations(evaluation.evaluation);
+  return {.sequence = sequence,
+          .run = evaluation.run,
+          .normal_term = run.objects.configuration.normal_term,
+          .objects = static_cast<long>(map.pitch.size()),
+          .object_pitch_mean_deg = FindMean(map.pitch),
+          .object_pitch_median_deg = FindMedian(map.pitch),
+          .object_roll_mean_deg = FindMean(map.roll),
+          .object_roll_median_deg = FindMedian(map.roll),
+          .views = static_cast<long>(views.pitch.size()),
+          .view_pitch_mean_deg = FindMean(views.pitch),
+          .view_pitch_median_deg = FindMedian(views.pitch),
+          .view_roll_mean_deg = FindMean(views.roll),
+          .view_roll_median_deg = FindMedian(views.roll)};
+}
+
+std::vector<Cell> UprightnessRow(const UprightnessRecord& r) {
+  std::vector<Cell> row{TextCell(r.run), r.normal_term ? TextCell(*r.normal_term) : NoCell(),
+                        CountCell(r.objects)};
+  for (const auto& degrees :
+       {r.object_pitch_mean_deg, r.object_pitch_median_deg, r.object_roll_mean_deg, r.object_roll_median_deg})
+    row.push_back(NumberCell(degrees, 2));
+  row.push_back(CountCell(r.views));
+  for (const auto& degrees :
+       {r.view_pitch_mean_deg, r.view_pitch_median_deg, r.view_roll_mean_deg, r.view_roll_median_deg})
+    row.push_back(NumberCell(degrees, 2));
+  return row;
 }
 
 }  // namespace
 
-Table NormalTermTable(const SequenceObjects& sequence, const std::vector<NamedEvaluation>& evaluations) {
+std::vector<UprightnessRecord> MakeUprightnessRecords(const SequenceObjects& sequence,
+                                                      const std::vector<NamedEvaluation>& evaluations) {
   if (sequence.runs.size() != evaluations.size())
     throw std::invalid_argument("objects and observations are of different runs");
+  std::vector<UprightnessRecord> records;
+  for (size_t i = 0; i < evaluations.size(); ++i)
+    records.push_back(MakeUprightnessRecord(sequence.sequence, sequence.runs[i], evaluations[i]));
+  return records;
+}
+
+Table NormalTermTable(const SequenceObjects& sequence, const std::vector<NamedEvaluation>& evaluations) {
   Table table;
   table.title = sequence.sequence + ": pitch and roll, and the normal term [deg]";
   table.name = "normal";
@@ -72,13 +105,8 @@ Table NormalTermTable(const SequenceObjects& sequence, const std::vector<NamedEv
     for (const char* column : {"", ": pitch mean", ": pitch median", ": roll mean", ": roll median"})
       table.columns.push_back(of + column);
   }
-  for (size_t i = 0; i < evaluations.size(); ++i) {
-    const auto& term = sequence.runs[i].objects.configuration.normal_term;
-    std::vector<Cell> row{TextCell(evaluations[i].run), term ? TextCell(*term) : NoCell()};
-    PushTilts(OfMap(sequence.runs[i].objects), row);
-    PushTilts(OfObservations(evaluations[i].evaluation), row);
-    table.rows.push_back(row);
-  }
+  for (const UprightnessRecord& record : MakeUprightnessRecords(sequence, evaluations))
+    table.rows.push_back(UprightnessRow(record));
   table.notes = {
       "normal term: resection.normal_term of the run's config.yaml.",
       "objects: those of the map that were found. observations: single views with status ok, of a true "

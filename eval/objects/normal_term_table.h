@@ -10,6 +10,10 @@
 
 namespace armature {
 
+// A record a run, in their order. Throws as below.
+std::vector<UprightnessRecord> MakeUprightnessRecords(const SequenceObjects& sequence,
+                                                      const std::vector<NamedEvaluation>& evaluations);
+
 // A row a run: absolute pitch and roll of the map's found objects, and of the single observations with status
 // ok. `evaluations`: the same runs in the same order. Throws std::invalid_argument when their numbers
 // differ.

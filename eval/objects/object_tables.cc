@@ -11,19 +11,18 @@
 namespace armature {
 namespace {
 
-std::vector<Cell> SummaryRow(const std::string& run, const EvaluatedMap& map, const std::string& category) {
-  const ObjectSummary s = Summarise(map.by_distance, category);
-  std::vector<Cell> row{TextCell(run), TextCell(map.approach), TextCell(category.empty() ? "all" : category)};
-  for (const int count : {s.objects, s.observed, s.found, s.missed, s.spurious})
+std::vector<Cell> SummaryRow(const ObjectRecord& r) {
+  std::vector<Cell> row{TextCell(r.run), TextCell(ApproachTitle(r.approach)),
+                        TextCell(r.category.value_or("all"))};
+  for (const long count : {r.true_objects, r.observed, r.found, r.missed, r.spurious})
     row.push_back(CountCell(count));
-  const auto push = [&](double value, int digits) {
-    row.push_back(s.found > 0 ? NumberCell(value, digits) : NoCell());
-  };
-  for (const double metres : {s.best_m, s.worst_m, s.average_m, s.median_m}) push(metres, 4);
-  push(s.average_azimuth_deg, 2);
-  push(s.average_tilt_deg, 2);
-  push(s.average_size_m, 4);
-  push(s.average_iou, 3);
+  for (const auto& metres :
+       {r.object_error_best_m, r.object_error_worst_m, r.object_error_mean_m, r.object_error_median_m})
+    row.push_back(NumberCell(metres, 4));
+  row.push_back(NumberCell(r.azimuth_mean_deg, 2));
+  row.push_back(NumberCell(r.tilt_mean_deg, 2));
+  row.push_back(NumberCell(r.size_mean_m, 4));
+  row.push_back(NumberCell(r.iou_mean, 3));
   return row;
 }
 
@@ -56,7 +55,7 @@ std::vector<std::string> SummaryDefinitions(double gate_m) {
 std::vector<Cell> ObjectRow(const std::string& run, const EvaluatedMap& map, const EvaluatedObject& object) {
   const auto text = [](const std::string& id) { return id.empty() ? NoCell() : TextCell(id); };
   std::vector<Cell> row{TextCell(run),
-                        TextCell(map.approach),
+                        TextCell(ApproachTitle(map.approach)),
                         text(object.true_id),
                         TextCell(object.category),
                         TextCell(StatusName(object.status)),
@@ -85,7 +84,7 @@ std::string RawStart(const SequenceObjects& sequence, const NamedObjects& run, c
   const RunConfiguration& c = run.objects.configuration;
   const std::string loop_closure = c.loop_closure ? fmt::format("{}", *c.loop_closure) : "";
   return fmt::format("{},{},{},{},{},{},{}", run.run, sequence.sequence, c.normal_term.value_or(""),
-                     loop_closure, map.by_odometry ? "odometry" : "objects",
+                     loop_closure, map.is_by_odometry() ? "odometry" : "objects",
                      AlignmentName(sequence.options.alignment), Fixed(map.T_truth_run.scale, 9));
 }
 
@@ -115,14 +114,58 @@ std::vector<std::string> ObjectNotes(const SequenceObjects& sequence) {
     for (const EvaluatedMap& map : run.objects.maps) {
       const std::string scale = Fixed(map.T_truth_run.scale, 6);
       if (scale != Fixed(1, 6))
-        notes.push_back(fmt::format("{}, {}: scale {}.", run.run, map.approach, scale));
+        notes.push_back(fmt::format("{}, {}: scale {}.", run.run, ApproachTitle(map.approach), scale));
       if (map.T_truth_run.is_degenerate)
-        notes.push_back(
-            fmt::format("{}, {}: the cameras do not determine the alignment.", run.run, map.approach));
+        notes.push_back(fmt::format("{}, {}: the cameras do not determine the alignment.", run.run,
+                                    ApproachTitle(map.approach)));
     }
   }
   if (!sequence.truth_source.empty()) notes.push_back(fmt::format("True objects: {}", sequence.truth_source));
   return notes;
+}
+
+ObjectRecord MakeObjectRecord(const SequenceObjects& sequence, const NamedObjects& run,
+                              const EvaluatedMap& map, MatchedBy matched_by,
+                              const std::optional<std::string>& category) {
+  const bool by_distance = matched_by == MatchedBy::kDistance;
+  const ObjectSummary s = Summarise(by_distance ? map.by_distance : map.by_detections, category.value_or(""));
+  const auto known = [&](double value) { return s.found > 0 ? std::optional(value) : std::nullopt; };
+  return {.sequence = sequence.sequence,
+          .run = run.run,
+          .approach = map.approach,
+          .matched_by = matched_by,
+          .alignment = sequence.options.alignment,
+          .category = category,
+          .true_objects = s.objects,
+          .observed = s.observed,
+          .found = s.found,
+          .missed = s.missed,
+          .spurious = s.spurious,
+          .object_error_best_m = known(s.best_m),
+          .object_error_worst_m = known(s.worst_m),
+          .object_error_mean_m = known(s.average_m),
+          .object_error_median_m = known(s.median_m),
+          .azimuth_mean_deg = known(s.average_azimuth_deg),
+          .tilt_mean_deg = known(s.average_tilt_deg),
+          .size_mean_m = known(s.average_size_m),
+          .iou_mean = known(s.average_iou)};
+}
+
+std::vector<ObjectRecord> MakeObjectRecords(const SequenceObjects& sequence) {
+  std::vector<std::optional<std::string>> categories;
+  for (const std::string& category : ListCategories(sequence)) categories.emplace_back(category);
+  categories.emplace_back();  // all
+  std::vector<ObjectRecord> records;
+  for (const NamedObjects& run : sequence.runs) {
+    for (const EvaluatedMap& map : run.objects.maps) {
+      for (const MatchedBy matched_by : {MatchedBy::kDistance, MatchedBy::kDetections}) {
+        if (matched_by == MatchedBy::kDetections && map.by_detections.empty()) continue;
+        for (const auto& category : categories)
+          records.push_back(MakeObjectRecord(sequence, run, map, matched_by, category));
+      }
+    }
+  }
+  return records;
 }
 
 Table ObjectSummaryTable(const SequenceObjects& sequence) {
@@ -133,12 +176,8 @@ Table ObjectSummaryTable(const SequenceObjects& sequence) {
   table.columns = {"run",           "approach",   "category", "true",      "observed",    "found",
                    "missed",        "spurious",   "best [m]", "worst [m]", "average [m]", "median [m]",
                    "azimuth [deg]", "tilt [deg]", "size [m]", "IoU"};
-  std::vector<std::string> categories = ListCategories(sequence);
-  categories.push_back("");  // all
-  for (const NamedObjects& run : sequence.runs) {
-    for (const EvaluatedMap& map : run.objects.maps) {
-      for (const std::string& category : categories) table.rows.push_back(SummaryRow(run.run, map, category));
-    }
+  for (const ObjectRecord& record : MakeObjectRecords(sequence)) {
+    if (record.matched_by == MatchedBy::kDistance) table.rows.push_back(SummaryRow(record));
   }
   table.notes = SummaryDefinitions(sequence.options.gate_m);
   for (std::string& note : ObjectNotes(sequence)) table.notes.push_back(std::move(note));

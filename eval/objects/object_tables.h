@@ -2,10 +2,12 @@
 // The tables of objects that `armature eval` prints.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "eval/objects/run_objects.h"
+#include "io/evaluation_records.h"
 #include "io/text_table.h"
 
 namespace armature {
@@ -23,7 +25,15 @@ struct SequenceObjects {
   std::vector<NamedObjects> runs;
 };
 
-// A row a run, approach and category, and one of all categories.
+// Of one category; of all where there is none.
+ObjectRecord MakeObjectRecord(const SequenceObjects& sequence, const NamedObjects& run,
+                              const EvaluatedMap& map, MatchedBy matched_by,
+                              const std::optional<std::string>& category);
+
+// A record a run, approach, way of matching and category, and one of all categories.
+std::vector<ObjectRecord> MakeObjectRecords(const SequenceObjects& sequence);
+
+// A row a run, approach and category, and one of all categories; matched by distance.
 Table ObjectSummaryTable(const SequenceObjects& sequence);
 
 // A row a run, approach and object: the true ones, then the spurious ones.

@@ -59,8 +59,12 @@ std::vector<std::string> WorseThanTheFirst(const std::vector<PaperObjectErrors>&
   return notes;
 }
 
-const std::vector<EvaluatedObject>& Matched(const EvaluatedMap& map) {
-  return map.by_detections.empty() ? map.by_distance : map.by_detections;
+// Of all its objects: by detections, where observations name objects.
+ObjectRecord MakePaperLikeRecord(const SequenceObjects& sequence, const NamedObjects& run,
+                                 const EvaluatedMap& map) {
+  return MakeObjectRecord(sequence, run, map,
+                          map.by_detections.empty() ? MatchedBy::kDistance : MatchedBy::kDetections,
+                          std::nullopt);
 }
 
 // How many runs of the sequence have a map by the approach: with several, rows name the run.
@@ -69,14 +73,15 @@ std::string ApproachText(const SequenceObjects& sequence, const NamedObjects& ru
   for (const NamedObjects& other : sequence.runs) {
     for (const EvaluatedMap& m : other.objects.maps) count += m.approach == map.approach ? 1 : 0;
   }
-  return count > 1 ? fmt::format("{} ({})", map.approach, run.run) : map.approach;
+  const std::string approach = ApproachTitle(map.approach);
+  return count > 1 ? fmt::format("{} ({})", approach, run.run) : approach;
 }
 
-std::vector<Cell> OurRow(const std::string& sequence, const std::string& approach,
-                         const ObjectSummary& summary) {
-  std::vector<Cell> row{TextCell(sequence), TextCell(approach), CountCell(summary.found)};
-  for (const double metres : {summary.best_m, summary.worst_m, summary.average_m})
-    row.push_back(summary.found > 0 ? NumberCell(metres, 4) : NoCell());
+std::vector<Cell> OurRow(const std::string& approach, const ObjectRecord& record) {
+  std::vector<Cell> row{TextCell(record.sequence), TextCell(approach), CountCell(record.found)};
+  for (const auto& metres :
+       {record.object_error_best_m, record.object_error_worst_m, record.object_error_mean_m})
+    row.push_back(NumberCell(metres, 4));
   return row;
 }
 
@@ -90,11 +95,10 @@ std::vector<Cell> PaperRow(const PaperObjectErrors& row) {
           printed(row.average)};
 }
 
-std::string OurNote(const std::string& sequence, const std::string& approach, const EvaluatedMap& map,
-                    const ObjectSummary& summary, double gate_m) {
-  std::string note = fmt::format("{}, {}: {} of {} observed objects, {} spurious.", sequence, approach,
-                                 summary.found, summary.observed, summary.spurious);
-  if (map.by_detections.empty())
+std::string OurNote(const std::string& approach, const ObjectRecord& record, double gate_m) {
+  std::string note = fmt::format("{}, {}: {} of {} observed objects, {} spurious.", record.sequence, approach,
+                                 record.found, record.observed, record.spurious);
+  if (record.matched_by == MatchedBy::kDistance)
     note += fmt::format(" Matched by distance, at most {} m: observations name no objects.", gate_m);
   return note;
 }
@@ -102,10 +106,10 @@ std::string OurNote(const std::string& sequence, const std::string& approach, co
 void AddSequence(const SequenceObjects& sequence, Table& table) {
   for (const NamedObjects& run : sequence.runs) {
     for (const EvaluatedMap& map : run.objects.maps) {
-      const ObjectSummary summary = Summarise(Matched(map), "");
+      const ObjectRecord record = MakePaperLikeRecord(sequence, run, map);
       const std::string approach = ApproachText(sequence, run, map);
-      table.rows.push_back(OurRow(sequence.sequence, approach, summary));
-      table.notes.push_back(OurNote(sequence.sequence, approach, map, summary, sequence.options.gate_m));
+      table.rows.push_back(OurRow(approach, record));
+      table.notes.push_back(OurNote(approach, record, sequence.options.gate_m));
     }
   }
   for (const std::string& note : ObjectNotes(sequence))
@@ -135,6 +139,14 @@ std::vector<PaperObjectErrors> ReadPaperObjectErrors(const std::filesystem::path
                     row.Text("worst"), row.Text("average")});
   }
   return rows;
+}
+
+std::vector<PaperRecord> MakePaperRecords(const std::vector<PaperObjectErrors>& paper) {
+  std::vector<PaperRecord> records;
+  for (const PaperObjectErrors& row : paper)
+    records.push_back(
+        {row.sequence, row.approach, row.objects, Value(row.best), Value(row.worst), Value(row.average)});
+  return records;
 }
 
 std::vector<std::string> OddEntries(const std::vector<PaperObjectErrors>& paper) {

@@ -22,6 +22,9 @@ struct PaperObjectErrors {
 // results/paper_object_errors.csv. Throws InputError.
 std::vector<PaperObjectErrors> ReadPaperObjectErrors(const std::filesystem::path& file);
 
+// The printed numbers as numbers.
+std::vector<PaperRecord> MakePaperRecords(const std::vector<PaperObjectErrors>& paper);
+
 // What a reader of the printed numbers should know: averages that cannot be, or are at the edge of what can
 // be, and where an approach is worse than the first one of its sequence. A line each.
 std::vector<std::string> OddEntries(const std::vector<PaperObjectErrors>& paper);

@@ -30,7 +30,6 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
                          bool by_odometry) {
   const GroundTruth& truth = sequence.truth;
   EvaluatedMap evaluated;
-  evaluated.by_odometry = by_odometry;
   std::vector<PlacedObject> map =
       ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));
   if (!map.empty()) {  // a run that placed nothing may have had no odometry
@@ -48,10 +47,24 @@ EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
 
 }  // namespace
 
-std::string ApproachName(bool by_odometry, const RunConfiguration& configuration) {
-  if (by_odometry) return "odometry only";
-  if (!configuration.loop_closure) return "objects";
-  return *configuration.loop_closure ? "objects, loop closure" : "objects, no loop closure";
+std::string ApproachTitle(Approach approach) {
+  switch (approach) {
+    case Approach::kOdometryOnly:
+      return "odometry only";
+    case Approach::kObjects:
+      return "objects";
+    case Approach::kObjectsLoopClosure:
+      return "objects, loop closure";
+    case Approach::kObjectsNoLoopClosure:
+      return "objects, no loop closure";
+  }
+  return "";
+}
+
+Approach FindApproach(bool by_odometry, const RunConfiguration& configuration) {
+  if (by_odometry) return Approach::kOdometryOnly;
+  if (!configuration.loop_closure) return Approach::kObjects;
+  return *configuration.loop_closure ? Approach::kObjectsLoopClosure : Approach::kObjectsNoLoopClosure;
 }
 
 RunObjects EvaluateRunObjects(const RunResults& run, const SequenceTruth& sequence,
@@ -63,7 +76,7 @@ RunObjects EvaluateRunObjects(const RunResults& run, const SequenceTruth& sequen
   for (const bool by_odometry : {true, false}) {
     if (by_odometry && !fs::exists(run.folder / "objects_odometry.csv")) continue;
     objects.maps.push_back(EvaluateMap(run, sequence, specs, options, by_odometry));
-    objects.maps.back().approach = ApproachName(by_odometry, objects.configuration);
+    objects.maps.back().approach = FindApproach(by_odometry, objects.configuration);
   }
   return objects;
 }

@@ -8,6 +8,7 @@
 
 #include "eval/objects/object_evaluation.h"
 #include "eval/views/run_evaluation.h"
+#include "io/evaluation_records.h"
 #include "io/run_configuration.h"
 #include "io/run_results.h"
 
@@ -22,11 +23,12 @@ struct ObjectEvaluationOptions {
 
 // One of a run's two maps.
 struct EvaluatedMap {
-  std::string approach;  // "odometry only", "objects, loop closure", "objects, no loop closure", "objects"
-  bool by_odometry = false;                    // objects_odometry.csv, moved as odometry_scaled.txt is
-  Similarity T_truth_run;                      // by which the map was brought to the truth
+  Approach approach = Approach::kObjects;  // by odometry: objects_odometry.csv, moved as odometry_scaled.txt
+  Similarity T_truth_run;                  // by which the map was brought to the truth
   std::vector<EvaluatedObject> by_distance;    // matched by MatchByDistance
   std::vector<EvaluatedObject> by_detections;  // by MatchByDetections; empty: observations name no objects
+
+  bool is_by_odometry() const { return approach == Approach::kOdometryOnly; }
 };
 
 struct RunObjects {
@@ -34,8 +36,11 @@ struct RunObjects {
   std::vector<EvaluatedMap> maps;  // odometry's first; empty: the run has no objects.csv
 };
 
-// See EvaluatedMap.
-std::string ApproachName(bool by_odometry, const RunConfiguration& configuration);
+// "odometry only", "objects, loop closure", "objects, no loop closure", "objects".
+std::string ApproachTitle(Approach approach);
+
+// Of a run's two maps.
+Approach FindApproach(bool by_odometry, const RunConfiguration& configuration);
 
 // objects.csv with trajectory.txt, and objects_odometry.csv with odometry_scaled.txt where it is there.
 // Stamps of cameras match within kStampTolerance. Throws InputError: a malformed or missing file, no camera

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
@@ -18,28 +19,51 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kBenchRemedy = "run `armature bench --out` again";
 
+constexpr double kLogarithmicTimes = 30, kLogarithmicSizes = 100;  // largest by smallest
+
 // Curves over the same axes of one sequence share a plot.
-TimeCurves& FindPlot(const Json& series, std::vector<TimeCurves>& plots) {
+Plot& FindPlot(const Json& series, std::vector<TimeCurves>& all) {
   const auto sequence = series.at("sequence").get<std::string>();
   const auto x_label = series.at("x_label").get<std::string>();
   const auto y_label = series.at("y_label").get<std::string>();
-  for (TimeCurves& plot : plots) {
-    if (plot.sequence == sequence && plot.x_label == x_label && plot.y_label == y_label) return plot;
+  for (TimeCurves& curves : all) {
+    if (curves.sequence == sequence && curves.plot.x_label == x_label && curves.plot.y_label == y_label)
+      return curves.plot;
   }
-  return plots.emplace_back(TimeCurves{sequence, x_label, y_label, {}});
+  return all
+      .emplace_back(TimeCurves{sequence, {.title = "", .x_label = x_label, .y_label = y_label, .series = {}}})
+      .plot;
+}
+
+// Whether the values are so different that the small ones could not be read on a linear axis.
+bool IsLogarithmic(const Plot& plot, std::vector<double> PlotSeries::*values, double ratio) {
+  double least = std::numeric_limits<double>::max(), most = 0;
+  for (const PlotSeries& series : plot.series) {
+    for (const double value : series.*values) {
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  }
+  return least > 0 && most > ratio * least;
 }
 
 std::vector<TimeCurves> MakeCurves(const Json& bench) {
-  std::vector<TimeCurves> plots;
+  std::vector<TimeCurves> all;
   for (const Json& series : bench.at("series")) {
-    TimeCurves::Curve curve{series.at("contender").get<std::string>(), {}};
+    PlotSeries curve{.name = series.at("contender").get<std::string>()};
     for (const Json& point : series.at("points")) {
-      curve.points.push_back({point.at("x").get<double>(), point.at("median").get<double>(),
-                              point.at("p10").get<double>(), point.at("p90").get<double>()});
+      curve.x.push_back(point.at("x").get<double>());
+      curve.y.push_back(point.at("median").get<double>());
+      curve.low.push_back(point.at("p10").get<double>());
+      curve.high.push_back(point.at("p90").get<double>());
     }
-    FindPlot(series, plots).curves.push_back(std::move(curve));
+    FindPlot(series, all).series.push_back(std::move(curve));
   }
-  return plots;
+  for (TimeCurves& curves : all) {
+    curves.plot.log_x = IsLogarithmic(curves.plot, &PlotSeries::x, kLogarithmicSizes);
+    curves.plot.log_y = IsLogarithmic(curves.plot, &PlotSeries::y, kLogarithmicTimes);
+  }
+  return all;
 }
 
 std::vector<std::pair<std::string, std::string>> ListEnvironment(const Json& environment) {
@@ -57,8 +81,9 @@ BenchResults ReadResults(const Json& json, const std::filesystem::path& file) {
   BenchResults results;
   results.tables = TablesFromJson(json.at("tables"), file.string());
   results.spans = ReadBenchRecord(file).spans;
+  for (const Json& ratio : json.at("ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
   results.curves = MakeCurves(json);
-  results.objects = json.at("settings").value("objects", results.objects);
+  results.objects = json.at("settings").at("objects").get<size_t>();
   results.environment = ListEnvironment(json.at("environment"));
   return results;
 }
@@ -71,24 +96,20 @@ size_t FindPlace(const std::string& name, std::vector<std::string>& names) {
   return names.size() - 1;
 }
 
-StageBars& FindBars(const std::string& sequence, size_t objects, std::vector<StageBars>& all) {
+StackedBars& FindBars(const std::string& sequence, std::vector<StageBars>& all) {
   for (StageBars& bars : all) {
-    if (bars.sequence == sequence) return bars;
+    if (bars.sequence == sequence) return bars.bars;
   }
-  return all.emplace_back(
-      StageBars{sequence,
-                fmt::format("Median time of each stage, frames of {} with {} objects", sequence, objects),
-                {},
-                {}});
+  return all.emplace_back(StageBars{sequence, {}}).bars;
 }
 
-double& GetValue(const std::string& engine, const std::string& stage, StageBars& bars) {
+double& GetValue(const std::string& engine, const std::string& stage, StackedBars& bars) {
   const size_t place = FindPlace(stage, bars.stages);
   auto bar = std::find_if(bars.bars.begin(), bars.bars.end(),
-                          [&](const StageBars::Bar& b) { return b.engine == engine; });
-  if (bar == bars.bars.end()) bar = bars.bars.insert(bars.bars.end(), StageBars::Bar{engine, {}});
-  bar->milliseconds.resize(std::max(bar->milliseconds.size(), place + 1), 0);
-  return bar->milliseconds[place];
+                          [&](const StackedBars::Bar& b) { return b.name == engine; });
+  if (bar == bars.bars.end()) bar = bars.bars.insert(bars.bars.end(), StackedBars::Bar{engine, {}});
+  bar->parts.resize(std::max(bar->parts.size(), place + 1), 0);
+  return bar->parts[place];
 }
 
 }  // namespace
@@ -110,11 +131,10 @@ std::vector<StageBars> MakeStageBars(const BenchResults& bench) {
   for (const NamedSpan& span : bench.spans) {
     const bool is_engine = span.contender.find(':') != std::string::npos;  // not the calibration loop
     if (span.table != "comparison" || !is_engine || span.stage == kTotal) continue;
-    GetValue(span.contender, span.stage, FindBars(span.sequence, bench.objects, all)) =
-        span.milliseconds.median;
+    GetValue(span.contender, span.stage, FindBars(span.sequence, all)) = span.milliseconds.median;
   }
-  for (StageBars& bars : all) {
-    for (StageBars::Bar& bar : bars.bars) bar.milliseconds.resize(bars.stages.size(), 0);
+  for (StageBars& stages : all) {
+    for (StackedBars::Bar& bar : stages.bars.bars) bar.parts.resize(stages.bars.stages.size(), 0);
   }
   return all;
 }

@@ -8,34 +8,42 @@
 
 #include "base/number_format.h"
 #include "base/paper_figures.h"
-#include "eval/report/table_lookup.h"
+#include "eval/objects/run_objects.h"
 #include "io/named_span.h"
 
 namespace armature {
 namespace {
 
-constexpr const char* kPaperPrefix = "paper ";  // of the paper's own sequences in the table "paper"
+constexpr const char* kPapersMethod = "Ours";  // in the paper's table
 
 // Only the embedded sequences are made after the paper's.
-std::optional<TableRow> PaperRowFor(const Table& table, const std::string& sequence) {
-  if (!sequence.starts_with("seq")) return std::nullopt;
-  return FindRow(table, [&](const TableRow& row) {
-    return row.Text("Sequence") == kPaperPrefix + sequence.substr(3) && row.Text("Approach") == "Ours";
+const PaperRecord* FindPaperRecord(const EvaluationRecords& records, const std::string& sequence) {
+  if (!sequence.starts_with("seq")) return nullptr;
+  const auto found = std::find_if(records.paper.begin(), records.paper.end(), [&](const PaperRecord& record) {
+    return record.sequence == sequence.substr(3) && record.approach == kPapersMethod;
+  });
+  return found == records.paper.end() ? nullptr : &*found;
+}
+
+// By detections where there is such a record of the same map, as the paper's table has it.
+bool IsOfPaperTable(const ObjectRecord& record, const EvaluationRecords& records) {
+  if (record.category || record.matched_by == MatchedBy::kDetections) return !record.category;
+  return std::none_of(records.objects.begin(), records.objects.end(), [&](const ObjectRecord& other) {
+    return other.matched_by == MatchedBy::kDetections && other.sequence == record.sequence &&
+           other.run == record.run && other.approach == record.approach;
   });
 }
 
-HeadlineFigure LocalizationFigure(const Table& table, const TableRow& ours) {
-  const std::string sequence = ours.Text("Sequence");
+HeadlineFigure LocalizationFigure(const ObjectRecord& ours, const PaperRecord* paper) {
   HeadlineFigure figure;
-  figure.label = fmt::format("Localization error on {}, average", sequence);
-  figure.ours_value = ours.Number("Average");
-  figure.ours = ours.Text("Average") + " m";
-  figure.remark = fmt::format("{} objects; {}", ours.Text("# Objects"), ours.Text("Approach"));
-  if (const auto paper = PaperRowFor(table, sequence)) {
-    figure.paper_value = paper->Number("Average");
-    figure.paper = paper->Text("Average") + " m";
-    figure.remark +=
-        fmt::format("; the paper's is of {} objects in a sequence of its own", paper->Text("# Objects"));
+  figure.label = fmt::format("Localization error on {}, average", ours.sequence);
+  figure.ours_value = ours.object_error_mean_m;
+  figure.ours = Fixed(*ours.object_error_mean_m, 4) + " m";
+  figure.remark = fmt::format("{} objects; {} ({})", ours.found, ApproachTitle(ours.approach), ours.run);
+  if (paper != nullptr) {
+    figure.paper_value = paper->object_error_mean_m;
+    figure.paper = fmt::format("{} m", paper->object_error_mean_m);
+    figure.remark += fmt::format("; the paper's is of {} objects in a sequence of its own", paper->objects);
   }
   return figure;
 }
@@ -45,42 +53,46 @@ HeadlineFigure TimeFigure(const std::string& label, double ours_ms, double paper
   return {label, Fixed(ours_ms, 2) + " ms", Fixed(paper_ms, 2) + " ms", ours_ms, paper_ms, remark};
 }
 
-// The paired ratio of the baseline over ours, as the table of ratios has it.
+// The paired ratio of the baseline over ours.
 std::optional<HeadlineFigure> RatioFigure(const BenchResults& bench, const std::string& sequence,
                                           const std::string& engine, const std::string& baseline) {
-  const std::string column = "times " + engine;
-  for (const Table* table : TablesNamed(bench.tables, "comparison")) {
-    if (table->sequence != sequence) continue;
-    const auto row = FindRow(*table, [&](const TableRow& r) { return r.Text("engine") == baseline; });
-    const auto ratio = row ? row->Number(column) : std::nullopt;
-    if (!ratio) continue;
-    const double n = static_cast<double>(bench.objects);
-    const double paper_ratio = paper::KeypointsMs(n) / paper::LinesMs(n);
-    return HeadlineFigure{
-        "Faster than the keypoint network",
-        Fixed(*ratio, 1) + " times",
-        Fixed(paper_ratio, 2) + " times",
-        ratio,
-        paper_ratio,
-        fmt::format("median ratio on the same frames of {}, on one machine: the figure to compare",
-                    sequence)};
+  const auto found = std::find_if(bench.ratios.begin(), bench.ratios.end(), [&](const NamedRatio& r) {
+    return r.sequence == sequence && r.contender == baseline && r.reference == engine;
+  });
+  if (found == bench.ratios.end()) return std::nullopt;
+  const double ratio = found->ratio.median;
+  const double n = static_cast<double>(bench.objects);
+  const double paper_ratio = paper::KeypointsMs(n) / paper::LinesMs(n);
+  return HeadlineFigure{
+      "Faster than the keypoint network",
+      Fixed(ratio, 1) + " times",
+      Fixed(paper_ratio, 2) + " times",
+      ratio,
+      paper_ratio,
+      fmt::format("median ratio on the same frames of {}, on one machine: the figure to compare", sequence)};
+}
+
+// The chairs of the first run: of all its sequences, where there is such a record.
+const RetrievalRecord* FindChairs(const std::vector<RetrievalRecord>& records) {
+  const RetrievalRecord* chairs = nullptr;
+  for (const RetrievalRecord& record : records) {
+    if (record.run != records.front().run || record.category != "chair") continue;
+    if (!record.sequence) return &record;
+    if (chairs == nullptr) chairs = &record;
   }
-  return std::nullopt;
+  return chairs;
 }
 
 }  // namespace
 
-std::vector<HeadlineFigure> LocalizationFigures(const std::vector<Table>& tables) {
+std::vector<HeadlineFigure> LocalizationFigures(const EvaluationRecords& records) {
   std::vector<HeadlineFigure> figures;
-  for (const Table* table : TablesNamed(tables, "paper")) {
-    std::set<std::string> shown;
-    for (const std::vector<Cell>& cells : table->rows) {
-      const TableRow row(*table, cells);
-      const bool is_ours = !row.Text("Sequence").starts_with(kPaperPrefix) &&
-                           row.Text("Approach").starts_with("objects") && row.Number("Average");
-      if (is_ours && shown.insert(row.Text("Sequence")).second)
-        figures.push_back(LocalizationFigure(*table, row));
-    }
+  std::set<std::string> shown;
+  for (const ObjectRecord& record : records.objects) {
+    const bool is_ours = record.approach != Approach::kOdometryOnly && record.object_error_mean_m &&
+                         IsOfPaperTable(record, records);
+    if (is_ours && shown.insert(record.sequence).second)
+      figures.push_back(LocalizationFigure(record, FindPaperRecord(records, record.sequence)));
   }
   return figures;
 }
@@ -107,28 +119,22 @@ std::vector<HeadlineFigure> TimingFigures(const BenchResults& bench) {
   return figures;
 }
 
-std::vector<HeadlineFigure> RetrievalFigures(const std::vector<Table>& tables) {
-  const std::vector<const Table*> named = TablesNamed(tables, "retrieval");
-  if (named.empty() || named.front()->rows.empty()) return {};
-  const Table& table = *named.front();
-  const std::string run = TableRow(table, table.rows.front()).Text("run");
-  const auto is_chairs = [&](const TableRow& row) {
-    return row.Text("run") == run && row.Text("category") == "chair";
-  };
-  auto row = FindRow(table, [&](const TableRow& r) { return is_chairs(r) && r.Text("sequence") == "all"; });
-  if (!row) row = FindRow(table, is_chairs);
-  if (!row) return {};
-  const std::string sequence = row->Text("sequence");
+std::vector<HeadlineFigure> RetrievalFigures(const EvaluationRecords& records) {
+  const RetrievalRecord* found = FindChairs(records.retrieval);
+  if (found == nullptr) return {};
   const std::string chairs =
-      fmt::format("{} chairs of {}", row->Text("queries"), sequence == "all" ? "all sequences" : sequence);
+      fmt::format("{} chairs of {}", found->queries, found->sequence.value_or("all sequences"));
   std::vector<HeadlineFigure> figures;
-  const auto add = [&](const char* label, const char* column, const char* unit, const std::string& remark) {
-    if (const auto value = row->Number(column))
-      figures.push_back({label, row->Text(column) + unit, "", value, std::nullopt, remark});
+  const auto add = [&](const char* label, const std::optional<double>& value, double unit, int digits,
+                       const char* unit_name, const std::string& remark) {
+    if (value)
+      figures.push_back(
+          {label, Fixed(*value * unit, digits) + unit_name, "", *value * unit, std::nullopt, remark});
   };
-  add("Chair's true CAD model found first", "top-1 [%]", " %", chairs + "; the paper gives no number");
-  add("... among the first five", "top-5 [%]", " %", chairs);
-  add("Chair surfaces apart (Chamfer)", "Chamfer [cm]", " cm",
+  add("Chair's true CAD model found first", found->top_1_share, 100, 1, " %",
+      chairs + "; the paper gives no number");
+  add("... among the first five", found->top_5_share, 100, 1, " %", chairs);
+  add("Chair surfaces apart (Chamfer)", found->chamfer_m, 100, 2, " cm",
       chairs + ", their true models taken out of the library");
   return figures;
 }

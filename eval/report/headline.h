@@ -7,17 +7,18 @@
 
 #include "eval/report/bench_results.h"
 #include "eval/report/report_data.h"
+#include "io/evaluation_records.h"
 
 namespace armature {
 
-// The average error of each sequence, of its first run with objects in the graph, from the table "paper".
-// Beside our sequence seqN is the paper's N.
-std::vector<HeadlineFigure> LocalizationFigures(const std::vector<Table>& tables);
+// The average error of each sequence, of its first run with objects in the graph, matched as the table
+// "paper" does. Beside our sequence seqN is the paper's N.
+std::vector<HeadlineFigure> LocalizationFigures(const EvaluationRecords& records);
 
 // Our total, the keypoint baseline's and their ratio, of the first sequence that engines were compared on.
 std::vector<HeadlineFigure> TimingFigures(const BenchResults& bench);
 
-// Of the chairs of the first run in the table "retrieval".
-std::vector<HeadlineFigure> RetrievalFigures(const std::vector<Table>& tables);
+// Of the chairs of the first run that was retrieved for.
+std::vector<HeadlineFigure> RetrievalFigures(const EvaluationRecords& records);
 
 }  // namespace armature

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "category/category_lookup.h"
 #include "drawing/overlay.h"
 #include "eval/report/encoded_picture.h"
 #include "io/image.h"
@@ -82,7 +83,7 @@ FrameResult RestoreFrame(const LoadedRun& run, const Sequence& sequence, size_t 
     observation.detection = sequence.detections[image][d];
     observation.detection.box = UndistortBox(sequence.camera, observation.detection.box);
     const RunObservation* row = run.results.Find(frame.timestamp, static_cast<int>(d));
-    const CategoryModel* model = FindCategory(models, observation.detection.category);
+    const CategoryModel* model = FindModel(models, observation.detection.category);
     if (row != nullptr && model != nullptr) observation.estimate = ReadEstimate(*row, *model);
   }
   return frame;

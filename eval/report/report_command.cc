@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
-#include <map>
 #include <memory>
 
 #include "base/console.h"
@@ -17,7 +15,6 @@
 #include "eval/eval_inputs.h"
 #include "eval/report/report_page.h"
 #include "eval/report/table_json.h"
-#include "eval/views/evaluation_tables.h"
 #include "io/atomic_write.h"
 #include "io/library_file.h"
 #include "io/run_folder.h"
@@ -27,44 +24,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Named as in tables, where runs on one sequence are told apart.
-std::vector<ReportSources::Run> NamedRuns(const std::vector<RunToEvaluate>& runs) {
-  std::map<std::string, std::vector<fs::path>> folders_of;
-  for (const RunToEvaluate& run : runs) folders_of[run.run.sequence].push_back(run.run.folder);
-  std::map<std::string, std::vector<std::string>> names_of;
-  for (const auto& [sequence, folders] : folders_of) names_of[sequence] = RunNames(folders, sequence);
-  std::vector<ReportSources::Run> named;
-  std::map<std::string, size_t> seen;
-  for (const RunToEvaluate& run : runs) {
-    const std::string& sequence = run.run.sequence;
-    named.push_back({run.run.folder, run.truth, names_of[sequence][seen[sequence]++]});
-  }
-  return named;
-}
-
-std::vector<Table> ReadEvaluation(const fs::path& folder) {
+Evaluation ReadEvaluation(const fs::path& folder) {
   const fs::path file = folder / "eval.json";
   if (!SaysComplete(file))
     throw InputError(fmt::format("{}: is not a finished evaluation; give a folder of `armature eval --out`",
                                  file.string()));
-  return ReadTables(file);
+  return {ReadTables(file), ReadEvaluationRecords(folder / "records.json")};
 }
 
-// As `armature eval` makes them without any choice.
-std::vector<Table> EvaluateRuns(const ReportArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+// As they were evaluated, or else as `armature eval` does without any choice.
+Evaluation CollectEvaluation(const ReportArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+  Evaluation all;
+  for (const fs::path& folder : arguments.evaluations) all.Append(ReadEvaluation(folder));
+  if (!arguments.evaluations.empty()) return all;
   EvalArguments eval;
   eval.configuration = arguments.configuration;
   return MakeRunTables(eval, runs, TableFormat::kText);
-}
-
-template <typename Read>
-std::vector<Table> ReadAllTables(const std::vector<fs::path>& places, Read read) {
-  std::vector<Table> tables;
-  for (const fs::path& place : places) {
-    std::vector<Table> more = read(place);
-    std::move(more.begin(), more.end(), std::back_inserter(tables));
-  }
-  return tables;
 }
 
 CommandHelp ReportHelp() {
@@ -93,11 +68,15 @@ ReportSources CollectSources(const ReportArguments& arguments) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
   ReportSources sources;
   sources.title = arguments.title;
-  sources.runs = NamedRuns(runs);
+  for (const RunToEvaluate& run : runs) sources.runs.push_back({run.run.folder, run.truth, run.name});
   sources.models = LoadModels(arguments.configuration);
-  sources.overview = ReadAllTables(arguments.tables, ReadTables);
-  sources.tables = arguments.evaluations.empty() ? EvaluateRuns(arguments, runs)
-                                                 : ReadAllTables(arguments.evaluations, ReadEvaluation);
+  for (const fs::path& file : arguments.tables) {
+    std::vector<Table> tables = ReadTables(file);
+    std::move(tables.begin(), tables.end(), std::back_inserter(sources.overview));
+  }
+  Evaluation evaluation = CollectEvaluation(arguments, runs);
+  sources.tables = std::move(evaluation.tables);
+  sources.records = std::move(evaluation.records);
   sources.benches = arguments.benches;
   if (!arguments.library.empty()) sources.library = ReadLibrary(arguments.library, sources.models);
   return sources;

@@ -26,37 +26,11 @@ struct HeadlineFigure {
 };
 
 // Where in the report a table stands.
-enum class ReportSection { kOverview, kAccuracy, kTiming, kRetrieval, kAblation, kOther };
+enum class ReportSection { kOverview, kAccuracy, kTiming, kRetrieval, kAblation, kFurther };
 
 struct ReportTable {
-  ReportSection section = ReportSection::kOther;
+  ReportSection section = ReportSection::kFurther;
   Table table;
-};
-
-// Median times of one sequence, engine by engine, as stacked bars.
-struct StageBars {
-  std::string sequence;
-  std::string caption;  // what the times are of
-  std::vector<std::string> stages;
-  struct Bar {
-    std::string engine;
-    std::vector<double> milliseconds;  // a value a stage, 0: it has none
-  };
-  std::vector<Bar> bars;
-};
-
-// Time against something that grows.
-struct TimeCurves {
-  std::string sequence;
-  std::string x_label, y_label;
-  struct Point {
-    double x = 0, median = 0, p10 = 0, p90 = 0;  // milliseconds
-  };
-  struct Curve {
-    std::string name;
-    std::vector<Point> points;  // by growing x
-  };
-  std::vector<Curve> curves;
 };
 
 // What lies in one map, true or estimated, seen from above. x to the right, y up on the page; the gravity
@@ -85,6 +59,12 @@ struct ReportPicture {
   std::string mime;   // "image/jpeg", "image/png"
   std::string bytes;  // of the file
   std::string alt;    // what it shows, for those who do not see it
+};
+
+// Numbers as bars or curves, drawn.
+struct ReportPlot {
+  std::string sequence, caption;
+  ReportPicture picture;
 };
 
 // A frame with its associated edges and wireframes.
@@ -140,9 +120,8 @@ struct ReportData {
   std::vector<std::string> remarks;  // what a reader has to know first: cells that failed, pictures left out
   std::vector<HeadlineFigure> headline;
   std::vector<ReportTable> tables;
-  std::vector<StageBars> stages;
-  std::vector<TimeCurves> curves;
-  std::vector<AblationBars> ablations;
+  std::vector<ReportPlot> stages, curves;  // median times as stacked bars, and against something that grows
+  std::vector<ReportPlot> ablations;       // what the normal term does
   std::vector<TopDownMap> maps;
   std::vector<OverlayFrame> overlays;
   std::vector<RetrievalStrip> strips;

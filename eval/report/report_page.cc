@@ -6,11 +6,30 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/report/html_text.h"
-#include "eval/report/report_assets.h"
 #include "eval/report/report_sections.h"
+
+// Defined by report_assets.s, which eval/report/assets/CMakeLists.txt writes.
+extern "C" {
+extern const char armature_asset_style[], armature_asset_style_end[];
+extern const char armature_asset_d3[], armature_asset_d3_end[];
+extern const char armature_asset_three[], armature_asset_three_end[];
+extern const char armature_asset_scripts[], armature_asset_scripts_end[];
+extern const char armature_asset_licences[], armature_asset_licences_end[];
+}
 
 namespace armature {
 namespace {
+
+// The files of eval/report/assets and the libraries that the page's scripts use, as they were when the
+// program was built.
+std::string_view ReportStyle() { return {armature_asset_style, armature_asset_style_end}; }
+// https://d3js.org
+std::string_view ReportD3() { return {armature_asset_d3, armature_asset_d3_end}; }
+// https://threejs.org with its OrbitControls
+std::string_view ReportThree() { return {armature_asset_three, armature_asset_three_end}; }
+std::string_view ReportScripts() { return {armature_asset_scripts, armature_asset_scripts_end}; }
+// Of the two libraries.
+std::string_view ReportLicences() { return {armature_asset_licences, armature_asset_licences_end}; }
 
 std::string FormatPageHead(const std::string& title) {
   return fmt::format(
@@ -35,8 +54,9 @@ std::string SectionHtml(const PageSection& section) {
 
 std::string Footer() {
   return fmt::format(
-      "<footer>\n<p>Written by <code>armature report</code>. Plots by d3.js (BSD-3-Clause), 3D views by "
-      "three.js (MIT), both inlined.</p>\n<details><summary>Their "
+      "<footer>\n<p>Written by <code>armature report</code>. Plots by gnuplot, maps by d3.js (BSD-3-Clause), "
+      "3D "
+      "views by three.js (MIT), both inlined.</p>\n<details><summary>Their "
       "licences</summary><pre>{}</pre></details>\n</footer>\n",
       EscapedHtml(ReportLicences()));
 }

@@ -3,12 +3,96 @@
 
 #include <fmt/format.h>
 
-#include "eval/report/html_pictures.h"
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "eval/report/html_table.h"
 #include "eval/report/html_text.h"
+#include "eval/report/report_data.h"
 
 namespace armature {
 namespace {
+
+std::string ImageHtml(const ReportPicture& picture) {
+  return fmt::format("<img src=\"{}\" alt=\"{}\">", EscapedHtml(DataUrl(picture.mime, picture.bytes)),
+                     EscapedHtml(picture.alt));
+}
+
+// The parts that are not empty, with a dot between them.
+std::string Joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!part.empty()) text += (text.empty() ? "" : " · ") + part;
+  }
+  return EscapedHtml(text);
+}
+
+std::string FrameHtml(const OverlayFrame& frame) {
+  return fmt::format("<figure>{}<figcaption><b>{}</b> {}</figcaption></figure>\n", ImageHtml(frame.picture),
+                     Joined({frame.sequence, frame.run, fmt::format("{:.2f} s", frame.timestamp)}),
+                     EscapedHtml(frame.caption));
+}
+
+std::string ModelHtml(const RetrievalStrip::Model& model, size_t rank) {
+  const std::string picture =
+      model.picture ? ImageHtml(*model.picture) : "<div class=\"missing\">no surface to show</div>";
+  return fmt::format("<figure class=\"model{}\">{}<figcaption><b>{}. {}</b>{}<br>{}</figcaption></figure>\n",
+                     model.is_true ? " true" : "", picture, rank, EscapedHtml(model.name),
+                     model.is_true ? " <span class=\"badge\">✓ true model</span>" : "",
+                     EscapedHtml(model.detail));
+}
+
+std::string StripHtml(const RetrievalStrip& strip) {
+  std::string html = fmt::format(
+      "<div class=\"strip\">\n<figure "
+      "class=\"query\">{}<figcaption><b>{}</b><br>{}{}</figcaption></figure>\n",
+      ImageHtml(strip.query), EscapedHtml(strip.object), Joined({strip.sequence, strip.run}),
+      strip.true_model.empty() ? "" : "<br>true model: " + EscapedHtml(strip.true_model));
+  for (size_t i = 0; i < strip.models.size(); ++i) html += ModelHtml(strip.models[i], i + 1);
+  return html + "</div>\n";
+}
+
+// Those of one run.
+std::string FoldedStripsHtml(std::span<const RetrievalStrip> strips, bool open) {
+  std::string html = fmt::format("<details{}><summary><b>{}</b>: {} objects</summary>\n", open ? " open" : "",
+                                 Joined({strips[0].sequence, strips[0].run}), strips.size());
+  for (const RetrievalStrip& strip : strips) html += StripHtml(strip);
+  return html + "</details>\n";
+}
+
+// Side by side where there is room; nothing of none.
+std::string PlotsHtml(const std::vector<ReportPlot>& plots) {
+  if (plots.empty()) return "";
+  std::string html = "<div class=\"plots\">\n";
+  for (const ReportPlot& plot : plots) {
+    html += fmt::format("<figure>\n<figcaption><b>{}</b> {}</figcaption>\n{}</figure>\n",
+                        EscapedHtml(plot.sequence), EscapedHtml(plot.caption), ImageHtml(plot.picture));
+  }
+  return html + "</div>\n";
+}
+
+// Frames side by side, as many as fit.
+std::string OverlaysHtml(const std::vector<OverlayFrame>& frames) {
+  std::string html = "<div class=\"gallery\">\n";
+  for (const OverlayFrame& frame : frames) html += FrameHtml(frame);
+  return html + "</div>\n";
+}
+
+// A row an object: as it was seen, then its models, the true one marked. The rows of a run, which stand
+// together, can be folded; those of the first are not.
+std::string StripsHtml(const std::vector<RetrievalStrip>& strips) {
+  std::string html = "<div class=\"strips\">\n";
+  for (auto first = strips.begin(); first != strips.end();) {
+    const auto last = std::find_if_not(first, strips.end(), [first](const RetrievalStrip& strip) {
+      return strip.sequence == first->sequence && strip.run == first->run;
+    });
+    html += FoldedStripsHtml({first, last}, first == strips.begin());
+    first = last;
+  }
+  return html + "</div>\n";
+}
 
 constexpr size_t kTablesWithoutContents = 3;
 
@@ -50,8 +134,8 @@ std::string TablesHtml(const ReportData& data, ReportSection section) {
 }
 
 // A figure for a script to fill.
-std::string PlotHtml(const std::string& kind, size_t index, const std::string& title,
-                     const std::string& caption) {
+std::string ScriptedHtml(const std::string& kind, size_t index, const std::string& title,
+                         const std::string& caption) {
   return fmt::format(
       "<figure class=\"plot\" data-plot=\"{}\" data-index=\"{}\">\n<figcaption><b>{}</b> {}</figcaption>\n"
       "<noscript><p>This figure is drawn by a script, and scripts are switched "
@@ -62,42 +146,23 @@ std::string PlotHtml(const std::string& kind, size_t index, const std::string& t
 std::string MapsHtml(const ReportData& data) {
   std::string html;
   for (size_t i = 0; i < data.maps.size(); ++i) {
-    html += PlotHtml("maps", i, data.maps[i].sequence, data.maps[i].note);
+    html += ScriptedHtml("maps", i, data.maps[i].sequence, data.maps[i].note);
   }
   return html;
 }
 
 std::string ScenesHtml(const ReportData& data) {
   if (data.scenes.empty()) return "";
-  return PlotHtml("scenes", 0, "",
-                  "Drag to turn, wheel to come nearer, right button to move; a square is 1 m.");
-}
-
-std::string CurvesHtml(const std::vector<TimeCurves>& curves) {
-  if (curves.empty()) return "";
-  std::string html = "<div class=\"plots\">\n";
-  for (size_t i = 0; i < curves.size(); ++i) {
-    html += PlotHtml("curves", i, curves[i].sequence,
-                     fmt::format("{} against {}: medians, bands from the 10th to the 90th percentile",
-                                 curves[i].y_label, curves[i].x_label));
-  }
-  return html + "</div>\n";
+  return ScriptedHtml("scenes", 0, "",
+                      "Drag to turn, wheel to come nearer, right button to move; a square is 1 m.");
 }
 
 std::string TimingHtml(const ReportData& data) {
-  std::string html;
-  for (size_t i = 0; i < data.stages.size(); ++i) {
-    html += PlotHtml("stages", i, data.stages[i].sequence, data.stages[i].caption);
-  }
-  return html + CurvesHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
+  return PlotsHtml(data.stages) + PlotsHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
 }
 
 std::string AblationHtml(const ReportData& data) {
-  std::string html;
-  for (size_t i = 0; i < data.ablations.size(); ++i) {
-    html += PlotHtml("ablations", i, data.ablations[i].sequence, data.ablations[i].caption);
-  }
-  return html + TablesHtml(data, ReportSection::kAblation);
+  return PlotsHtml(data.ablations) + TablesHtml(data, ReportSection::kAblation);
 }
 
 std::string RetrievalHtml(const ReportData& data) {
@@ -127,7 +192,7 @@ std::vector<PageSection> ReportSections(const ReportData& data) {
       {"timing", "Timing", TimingHtml(data)},
       {"retrieval", "Retrieved CAD models", RetrievalHtml(data)},
       {"ablation", "Normal term", AblationHtml(data)},
-      {"other", "Further tables", TablesHtml(data, ReportSection::kOther)},
+      {"other", "Further tables", TablesHtml(data, ReportSection::kFurther)},
       {"environment", "Environment", EnvironmentHtml(data)}};
   std::erase_if(sections, [](const PageSection& section) { return section.html.empty(); });
   return sections;

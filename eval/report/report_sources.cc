@@ -12,6 +12,7 @@
 #include "eval/report/bench_results.h"
 #include "eval/report/headline.h"
 #include "eval/report/overlay_frames.h"
+#include "eval/report/report_plots.h"
 #include "eval/report/retrieval_strips.h"
 #include "eval/report/run_environment.h"
 #include "eval/report/scene_view.h"
@@ -36,7 +37,7 @@ ReportSection FindSection(const std::string& table) {
        {"paper", "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
     if (table == name) return ReportSection::kAccuracy;
   }
-  return ReportSection::kOther;
+  return ReportSection::kFurther;
 }
 
 // What is looked for first comes first, whatever the order in which it was evaluated.
@@ -54,18 +55,18 @@ void AddTables(const ReportSources& sources, ReportData& data) {
     const ReportSection section = FindSection(table.name);
     data.tables.push_back({section, std::move(table)});
   }
-  AddAll(LocalizationFigures(sources.tables), data.headline);
-  data.ablations = NormalTermBars(sources.tables);
+  AddAll(LocalizationFigures(sources.records), data.headline);
+  data.ablations = DrawAblationBars(NormalTermBars(sources.records.uprightness), data.remarks);
 }
 
 // The headline is of the first benchmark that has one.
 void AddBenches(const ReportSources& sources, ReportData& data) {
   bool has_headline = false;
   for (const std::filesystem::path& folder : sources.benches) {
-    BenchResults bench = ReadBenchResults(folder);
+    const BenchResults bench = ReadBenchResults(folder);
     for (const Table& table : bench.tables) data.tables.push_back({ReportSection::kTiming, table});
-    AddAll(MakeStageBars(bench), data.stages);
-    AddAll(std::move(bench.curves), data.curves);
+    AddAll(DrawStageBars(MakeStageBars(bench), bench.objects, data.remarks), data.stages);
+    AddAll(DrawTimeCurves(bench.curves, data.remarks), data.curves);
     MergeEnvironment(bench.environment, data.environment);
     if (has_headline) continue;
     std::vector<HeadlineFigure> figures = TimingFigures(bench);
@@ -106,7 +107,7 @@ ReportData CollectReport(const ReportSources& sources) {
   for (const ReportSources::Run& run : sources.runs)
     MergeEnvironment(RunEnvironment(run.folder), data.environment);
   AddBenches(sources, data);
-  AddAll(RetrievalFigures(sources.tables), data.headline);
+  AddAll(RetrievalFigures(sources.records), data.headline);
   for (const SequenceRuns& sequence : LoadSequenceRuns(sources, data.remarks))
     AddSequence(sequence, sources, data);
   if (!data.strips.empty() && sources.library.categories.empty())

@@ -8,6 +8,7 @@
 
 #include "category/category_model.h"
 #include "eval/report/report_data.h"
+#include "io/evaluation_records.h"
 #include "io/text_table.h"
 #include "retrieval/instance_library.h"
 
@@ -22,7 +23,8 @@ struct ReportSources {
     std::string name;  // as the tables have it
   };
   std::vector<Run> runs;
-  std::vector<Table> tables;                   // of an evaluation of these runs; by Table::name
+  std::vector<Table> tables;                   // of an evaluation of these runs, to be shown
+  EvaluationRecords records;                   // of the same, to be computed with
   std::vector<Table> overview;                 // others, shown first
   std::vector<std::filesystem::path> benches;  // folders of `armature bench --out`
   InstanceLibrary library;                     // the surfaces of retrieved models; of no category: none

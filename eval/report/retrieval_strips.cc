@@ -38,7 +38,7 @@ std::map<std::string, const TrueObject*> TrueObjects(const SequenceRuns& sequenc
   return of_map;
 }
 
-RetrievalStrip::Model LookUpModel(const RetrievedModel& retrieved, const std::string& true_model) {
+RetrievalStrip::Model DescribeModel(const RetrievedModel& retrieved, const std::string& true_model) {
   RetrievalStrip::Model model;
   model.name = retrieved.name;
   if (retrieved.cost) model.detail = fmt::format("cost {:.2f}, ", *retrieved.cost);
@@ -140,7 +140,7 @@ std::vector<RetrievalStrip> MakeRetrievalStrips(const SequenceRuns& sequence, co
     const auto truth = true_objects.find(object.id);
     if (truth != true_objects.end()) strip.true_model = truth->second->instance;
     for (size_t i = 0; i < std::min(models->second.size(), kShownModels); ++i)
-      strip.models.push_back(LookUpModel(models->second[i], strip.true_model));
+      strip.models.push_back(DescribeModel(models->second[i], strip.true_model));
     LookAtObject(sequence, object, library, strip, remarks);
   }
   return strips;

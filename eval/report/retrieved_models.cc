@@ -5,7 +5,6 @@
 
 #include "base/errors.h"
 #include "io/csv.h"
-#include "io/csv_pose.h"
 #include "io/mesh_file.h"
 
 namespace armature {

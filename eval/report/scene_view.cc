@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "category/category_lookup.h"
 #include "drawing/map_scene.h"
 #include "eval/report/retrieved_models.h"
 
@@ -168,7 +169,7 @@ std::optional<SceneView> MakeSceneView(const SequenceRuns& sequence, const std::
   scene.cameras = MakePyramids(run.map->T_world_camera);
   for (size_t i = 0; i < run.map->objects.size(); ++i) {
     const PlacedObject& object = run.map->objects[i];
-    const CategoryModel* model = FindCategory(models, object.category);  // there is one: LoadSequenceRuns
+    const CategoryModel* model = FindModel(models, object.category);  // there is one: LoadSequenceRuns
     SceneView::Object& shown = scene.objects.emplace_back();
     shown.id = object.id;
     shown.category = object.category;

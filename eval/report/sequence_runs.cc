@@ -41,7 +41,7 @@ void CheckModels(const fs::path& run, const std::vector<PlacedObject>& objects,
   std::map<std::string, StoredEvidence> evidence;
   if (fs::exists(evidence_file)) evidence = ReadShapeEvidence(evidence_file);
   for (const PlacedObject& object : objects) {
-    const CategoryModel* model = FindCategory(models, object.category);
+    const CategoryModel* model = FindModel(models, object.category);
     const auto known = evidence.find(object.id);
     if (model == nullptr || static_cast<int>(object.shape.size()) != model->modes() ||
         (known != evidence.end() && known->second.model_checksum != ModelChecksum(*model))) {
@@ -66,12 +66,12 @@ std::optional<ShownMap> OwnMap(const LoadedRun& run, bool by_odometry) {
   std::vector<PlacedObject> objects = ReadPlacedObjects(file);
   if (objects.empty()) return std::nullopt;
   return ShownMap{
-      ApproachName(by_odometry, run.configuration), ReadTumTrajectory(cameras), std::move(objects), {}};
+      FindApproach(by_odometry, run.configuration), ReadTumTrajectory(cameras), std::move(objects), {}};
 }
 
 void BringToTruth(const SequenceTruth& truth, const std::vector<CategorySpec>& specs, LoadedRun& run) {
   for (EvaluatedMap& evaluated : EvaluateRunObjects(run.results, truth, specs, {}).maps) {
-    std::optional<ShownMap>& map = evaluated.by_odometry ? run.odometry : run.map;
+    std::optional<ShownMap>& map = evaluated.is_by_odometry() ? run.odometry : run.map;
     if (!map) continue;
     map->T_world_camera = Moved(std::move(map->T_world_camera), evaluated.T_truth_run);
     map->objects = Moved(std::move(map->objects), evaluated.T_truth_run);
@@ -129,12 +129,6 @@ std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::ve
   }
   for (SequenceRuns& sequence : sequences) sequence.up = FindUp(sequence);
   return sequences;
-}
-
-const CategoryModel* FindCategory(const std::vector<CategoryModel>& models, const std::string& category) {
-  const auto found = std::find_if(models.begin(), models.end(),
-                                  [&](const CategoryModel& model) { return model.spec.name == category; });
-  return found == models.end() ? nullptr : &*found;
 }
 
 const TimedPose* CameraAt(const ShownMap& map, double timestamp) {

@@ -16,7 +16,7 @@ namespace armature {
 
 // One of a run's two maps. World: the true one where there is a truth, else the run's own. Metres.
 struct ShownMap {
-  std::string approach;  // see EvaluatedMap
+  Approach approach = Approach::kObjects;
   std::vector<TimedPose> T_world_camera;
   std::vector<PlacedObject> objects;
   std::vector<EvaluatedObject> evaluated;  // matched by distance, as the tables have it; empty: no truth
@@ -41,9 +41,6 @@ struct SequenceRuns {
 // By sequence, in the order of their first runs. `remarks` gets a line for what is absent. Throws InputError:
 // a malformed file, a run of other category models.
 std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::vector<std::string>& remarks);
-
-// Null: there is none of this category.
-const CategoryModel* FindCategory(const std::vector<CategoryModel>& models, const std::string& category);
 
 // The camera at the time; null: there is none within kStampTolerance.
 const TimedPose* CameraAt(const ShownMap& map, double timestamp);

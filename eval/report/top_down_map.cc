@@ -94,7 +94,7 @@ std::optional<TopDownMap> MakeTopDownMap(const SequenceRuns& sequence) {
   for (const LoadedRun* run : Ordered(sequence.runs)) {
     if (run->map)
       map.estimates.push_back(
-          MakeLayer(fmt::format("{}: {}", run->name, run->map->approach), *run->map, to_page));
+          MakeLayer(fmt::format("{}: {}", run->name, ApproachTitle(run->map->approach)), *run->map, to_page));
   }
   if (map.estimates.empty()) return std::nullopt;
   if (const LoadedRun& first = sequence.runs.front(); first.odometry) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <map>
 #include <optional>
 
 #include "base/errors.h"
@@ -18,7 +17,6 @@
 #include "cli/instance_libraries.h"
 #include "eval/retrieval/retrieval_tables.h"
 #include "eval/retrieval/retrieval_variant_tables.h"
-#include "eval/views/evaluation_tables.h"
 #include "io/library_file.h"
 #include "io/run_map.h"
 
@@ -33,20 +31,6 @@ InstanceLibrary ReadNamedLibrary(const RetrievalTableArguments& arguments,
   throw InputError(
       "the tables of retrieval are of a library of instances; name its file with --library "
       "(`armature retrieve --build` makes one)");
-}
-
-// As shown, one a run.
-std::vector<std::string> ListRunNames(const std::vector<RunToEvaluate>& runs) {
-  std::map<std::string, std::vector<size_t>> of_sequence;
-  for (size_t i = 0; i < runs.size(); ++i) of_sequence[runs[i].run.sequence].push_back(i);
-  std::vector<std::string> names(runs.size());
-  for (const auto& [sequence, its_runs] : of_sequence) {
-    std::vector<fs::path> folders;
-    for (const size_t i : its_runs) folders.push_back(runs[i].run.folder);
-    const std::vector<std::string> its_names = RunNames(folders, sequence);
-    for (size_t i = 0; i < its_runs.size(); ++i) names[its_runs[i]] = its_names[i];
-  }
-  return names;
 }
 
 void CheckHasShapes(const RunToEvaluate& run) {
@@ -76,13 +60,12 @@ std::vector<RetrievalQuery> MakeRunQueries(const std::vector<RunToEvaluate>& run
                                            const std::vector<CategoryModel>& models,
                                            std::deque<Sequence>& sequences) {
   for (const RunToEvaluate& run : runs) CheckHasShapes(run);
-  const std::vector<std::string> names = ListRunNames(runs);
   std::vector<RetrievalQuery> all;
-  for (size_t i = 0; i < runs.size(); ++i) {
-    sequences.push_back(LoadSequence(runs[i].truth, CategoryNames(models)));
-    for (RetrievalQuery& query : MakeRunQuery(runs[i], sequences.back(), models, RetrievalOptions().views)) {
-      query.run = names[i];
-      query.sequence = runs[i].run.sequence;
+  for (const RunToEvaluate& run : runs) {
+    sequences.push_back(LoadSequence(run.truth, CategoryNames(models)));
+    for (RetrievalQuery& query : MakeRunQuery(run, sequences.back(), models, RetrievalOptions().views)) {
+      query.run = run.name;
+      query.sequence = run.run.sequence;
       all.push_back(std::move(query));
     }
   }
@@ -130,10 +113,10 @@ void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& a) {
   command.add_option("--seed", a.seed, "table library: of the noise")->capture_default_str();
 }
 
-std::vector<Table> MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
-                                          const std::vector<CategoryModel>& models,
-                                          const std::vector<std::string>& names, const fs::path& cad,
-                                          const RetrievalTableArguments& arguments) {
+Evaluation MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
+                                  const std::vector<CategoryModel>& models,
+                                  const std::vector<std::string>& names, const fs::path& cad,
+                                  const RetrievalTableArguments& arguments) {
   const InstanceLibrary library = ReadNamedLibrary(arguments, models);
   std::optional<InstanceLibrary> of_cad;
   if (!cad.empty()) of_cad = BuildFolderLibrary(cad, models);
@@ -144,18 +127,19 @@ std::vector<Table> MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs
   std::vector<RetrievalVariant> variants = VariantsForSeen();
   std::erase_if(variants, [&](const RetrievalVariant& v) { return !IsNeeded(v.name, names); });
   EvaluateVariants(variants, evaluation, evaluated);
-  std::vector<Table> tables;
+  Evaluation made;
   for (const std::string& name : names) {
     if (name == "retrieval") {
       evaluated.baselines = evaluation.Baselines();
-      tables.push_back(RetrievalTable(evaluated));
+      made.tables.push_back(RetrievalTable(evaluated));
+      made.records.retrieval = MakeRetrievalRecords(evaluated);
     } else if (name == "retrieval_variants") {
-      tables.push_back(RetrievalVariantTable(evaluated, models));
+      made.tables.push_back(RetrievalVariantTable(evaluated, models));
     } else {
-      tables.push_back(EachQueryTable(evaluated, library));
+      made.tables.push_back(EachQueryTable(evaluated, library));
     }
   }
-  return tables;
+  return made;
 }
 
 Table MakeLibraryTable(const std::vector<CategoryModel>& models, const RetrievalTableArguments& arguments) {

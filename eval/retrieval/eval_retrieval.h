@@ -10,7 +10,7 @@
 
 #include "category/category_model.h"
 #include "eval/eval_inputs.h"
-#include "io/text_table.h"
+#include "eval/evaluation.h"
 
 namespace armature {
 
@@ -28,14 +28,13 @@ inline constexpr const char* kLibraryTableName = "library";
 
 void AddRetrievalTableArguments(CLI::App& command, RetrievalTableArguments& arguments);
 
-// The named tables, each over all runs. `cad`: folder of the true CAD models, also of those that the library
-// does not have; empty: the library has them. Throws InputError: no library, one that is not of the models,
-// runs without the files or the images that retrieval looks at.
-std::vector<Table> MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
-                                          const std::vector<CategoryModel>& models,
-                                          const std::vector<std::string>& names,
-                                          const std::filesystem::path& cad,
-                                          const RetrievalTableArguments& arguments);
+// The named tables, each over all runs, and the records of the table retrieval. `cad`: folder of the true CAD
+// models, also of those that the library does not have; empty: the library has them. Throws InputError: no
+// library, one that is not of the models, runs without the files or the images that retrieval looks at.
+Evaluation MakeRunRetrievalTables(const std::vector<RunToEvaluate>& runs,
+                                  const std::vector<CategoryModel>& models,
+                                  const std::vector<std::string>& names, const std::filesystem::path& cad,
+                                  const RetrievalTableArguments& arguments);
 
 // The library's instances as queries, without any run. Throws InputError: no library, one that is not of the
 // models, a bad argument.

@@ -14,16 +14,51 @@ std::vector<std::string> CategoriesAmong(const EvaluatedQueries& evaluated, cons
   return categories;
 }
 
-std::vector<Cell> SummaryCells(std::vector<Cell> row, const EvaluatedQueries& evaluated,
-                               const QuerySet& queries) {
+std::optional<double> ShareOf(int part, int whole) {
+  return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
+}
+
+RetrievalRecord MakeRecord(const std::string& run, const std::optional<std::string>& sequence,
+                           const std::optional<std::string>& category, const EvaluatedQueries& evaluated,
+                           const QuerySet& queries) {
   const RetrievalSummary s = Summarise(Chosen(evaluated.GetOutcomes(kDefaultVariant), queries));
   const BaselineSummary baselines = Summarise(Chosen(evaluated.baselines, queries));
-  PushRanks(s, row);
-  PushDistances(s, row);
-  row.push_back(Centimetres(baselines.random));
-  row.push_back(Centimetres(baselines.mean_shape));
-  row.push_back(NumberCell(s.f_score, 3));
-  row.push_back(NumberCell(s.f_score_by_truth, 3));
+  return {.sequence = sequence,
+          .run = run,
+          .category = category,
+          .queries = s.queries,
+          .in_library = s.in_library,
+          .top_1_share = ShareOf(s.top_1, s.in_library),
+          .top_5_share = ShareOf(s.top_5, s.in_library),
+          .mean_reciprocal_rank = s.mean_reciprocal_rank,
+          .compared = s.compared,
+          .chamfer_m = s.chamfer,
+          .best_of_five_chamfer_m = s.best_of_five,
+          .by_true_shape_chamfer_m = s.by_truth,
+          .chamfer_ratio = s.ratio,
+          .random_chamfer_m = baselines.random,
+          .mean_shape_chamfer_m = baselines.mean_shape,
+          .f_score = s.f_score,
+          .f_score_by_true_shape = s.f_score_by_truth};
+}
+
+std::vector<Cell> SummaryCells(const RetrievalRecord& r) {
+  std::vector<Cell> row{TextCell(r.run),
+                        TextCell(r.sequence.value_or("all")),
+                        TextCell(r.category.value_or("all")),
+                        CountCell(r.queries),
+                        CountCell(r.in_library),
+                        ShareCell(r.top_1_share, r.in_library),
+                        ShareCell(r.top_5_share, r.in_library),
+                        NumberCell(r.mean_reciprocal_rank, 3),
+                        CountCell(r.compared)};
+  for (const auto& metres : {r.chamfer_m, r.best_of_five_chamfer_m, r.by_true_shape_chamfer_m})
+    row.push_back(Centimetres(metres));
+  row.push_back(NumberCell(r.chamfer_ratio, 2));
+  row.push_back(Centimetres(r.random_chamfer_m));
+  row.push_back(Centimetres(r.mean_shape_chamfer_m));
+  row.push_back(NumberCell(r.f_score, 3));
+  row.push_back(NumberCell(r.f_score_by_true_shape, 3));
   return row;
 }
 
@@ -47,17 +82,15 @@ std::vector<std::string> SummaryColumns() {
           "F-score by true shape"};
 }
 
-// A row a category, and one of all of them where they are several.
-void PushCategories(const std::string& run, const std::string& sequence, const EvaluatedQueries& evaluated,
-                    const QuerySet& among, Table& table) {
+// A record a category, and one of all of them where they are several.
+void PushCategories(const std::string& run, const std::optional<std::string>& sequence,
+                    const EvaluatedQueries& evaluated, const QuerySet& among,
+                    std::vector<RetrievalRecord>& records) {
   const std::vector<std::string> categories = CategoriesAmong(evaluated, among);
-  const auto push = [&](const std::string& category, const QuerySet& queries) {
-    table.rows.push_back(
-        SummaryCells({TextCell(run), TextCell(sequence), TextCell(category)}, evaluated, queries));
-  };
   for (const std::string& category : categories)
-    push(category, Where(evaluated, among, &RetrievalQuery::category, category));
-  if (categories.size() > 1) push("all", among);
+    records.push_back(MakeRecord(run, sequence, category, evaluated,
+                                 Where(evaluated, among, &RetrievalQuery::category, category)));
+  if (categories.size() > 1) records.push_back(MakeRecord(run, sequence, std::nullopt, evaluated, among));
 }
 
 Cell RankCell(const std::optional<int>& rank) { return rank ? CountCell(*rank) : NoCell(); }
@@ -69,20 +102,27 @@ std::string FindId(const InstanceLibrary& library, const std::string& category, 
 
 }  // namespace
 
-Table RetrievalTable(const EvaluatedQueries& evaluated) {
-  Table table;
-  table.title = "CAD retrieval";
-  table.name = "retrieval";
-  table.columns = SummaryColumns();
+std::vector<RetrievalRecord> MakeRetrievalRecords(const EvaluatedQueries& evaluated) {
+  std::vector<RetrievalRecord> records;
   const QuerySet all = AllQueries(evaluated);
   for (const std::string& run : CollectValues(evaluated, all, &RetrievalQuery::run)) {
     const QuerySet of_run = Where(evaluated, all, &RetrievalQuery::run, run);
     const std::vector<std::string> sequences = CollectValues(evaluated, of_run, &RetrievalQuery::sequence);
     for (const std::string& sequence : sequences)
       PushCategories(run, sequence, evaluated, Where(evaluated, of_run, &RetrievalQuery::sequence, sequence),
-                     table);
-    if (sequences.size() > 1) PushCategories(run, "all", evaluated, of_run, table);
+                     records);
+    if (sequences.size() > 1) PushCategories(run, std::nullopt, evaluated, of_run, records);
   }
+  return records;
+}
+
+Table RetrievalTable(const EvaluatedQueries& evaluated) {
+  Table table;
+  table.title = "CAD retrieval";
+  table.name = "retrieval";
+  table.columns = SummaryColumns();
+  for (const RetrievalRecord& record : MakeRetrievalRecords(evaluated))
+    table.rows.push_back(SummaryCells(record));
   AppendNotes({"queries: objects of the map; the true one is that of most of its observations, wherever it "
                "stands."},
               table);

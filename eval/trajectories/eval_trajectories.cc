@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
 #include <map>
 
@@ -10,8 +11,7 @@
 #include "base/text.h"
 #include "cli/help.h"
 #include "eval/trajectories/trajectory_tables.h"
-#include "eval/views/evaluation_tables.h"
-#include "io/trajectory_formats.h"
+#include "io/trajectory.h"
 #include "truth/ground_truth.h"
 
 namespace armature {
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Of a run folder, in the order of the rows.
-const std::vector<std::string> kTrajectories = {"trajectory", "odometry_scaled"};
+constexpr std::array kTrajectories{TrajectoryKind::kTrajectory, TrajectoryKind::kOdometryScaled};
 
 std::vector<TrajectoryOptions> MakeOptions(const TrajectoryArguments& arguments) {
   const auto check = [](bool holds, const std::string& message) {
@@ -56,7 +56,7 @@ void WriteRaw(const fs::path& file, const std::map<std::string, std::vector<Name
     throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
 }
 
-void AddRows(const std::string& run, const std::string& trajectory, const std::vector<TimedPose>& estimate,
+void AddRows(const std::string& run, TrajectoryKind trajectory, const std::vector<TimedPose>& estimate,
              const std::vector<TimedPose>& truth, const std::vector<TrajectoryOptions>& options,
              std::vector<NamedTrajectory>& rows) {
   for (const TrajectoryOptions& o : options) {
@@ -69,21 +69,17 @@ std::vector<TimedPose> ReadRunTrajectory(const fs::path& file) {
   return ReadTextLines(file).empty() ? std::vector<TimedPose>{} : ReadTumTrajectory(file);
 }
 
-std::vector<NamedTrajectory> EvaluateRuns(const std::string& sequence, const std::vector<RunToEvaluate>& runs,
+std::vector<NamedTrajectory> EvaluateRuns(const std::vector<RunToEvaluate>& runs,
                                           const std::vector<TrajectoryOptions>& options) {
-  std::vector<fs::path> folders;
-  folders.reserve(runs.size());
-  for (const RunToEvaluate& run : runs) folders.push_back(run.run.folder);
-  const std::vector<std::string> names = RunNames(folders, sequence);
   const std::vector<TimedPose> truth = LoadTrueTrajectory(runs.front().truth);
   std::vector<NamedTrajectory> rows;
-  for (size_t i = 0; i < runs.size(); ++i) {
-    for (const std::string& trajectory : kTrajectories) {
-      const fs::path file = folders[i] / (trajectory + ".txt");
+  for (const RunToEvaluate& run : runs) {
+    for (const TrajectoryKind trajectory : kTrajectories) {
+      const fs::path file = run.run.folder / (TrajectoryKindName(trajectory) + ".txt");
       if (trajectory != kTrajectories.front() && !fs::exists(file))
         continue;  // not written by `armature run`
       const auto estimate = ReadRunTrajectory(file);
-      AddRows(names[i], trajectory, estimate, truth, options, rows);
+      AddRows(run.name, trajectory, estimate, truth, options, rows);
     }
   }
   return rows;
@@ -110,15 +106,16 @@ std::string FormatName(const fs::path& truth) {
   return (path.has_filename() ? path : path.parent_path()).stem().string();
 }
 
-std::vector<Table> Finished(const std::map<std::string, std::vector<NamedTrajectory>>& by_sequence,
-                            const TrajectoryArguments& arguments, TableFormat format) {
+Evaluation Finished(const std::map<std::string, std::vector<NamedTrajectory>>& by_sequence,
+                    const TrajectoryArguments& arguments, TableFormat format) {
   WriteRaw(arguments.raw, by_sequence);
-  std::vector<Table> tables;
-  tables.reserve(by_sequence.size());
+  Evaluation made;
   for (const auto& [sequence, rows] : by_sequence) {
-    tables.push_back(TrajectoryTable(sequence, rows, CountDigits(format)));
+    made.tables.push_back(TrajectoryTable(sequence, rows, CountDigits(format)));
+    for (const NamedTrajectory& row : rows)
+      made.records.trajectories.push_back(MakeTrajectoryRecord(sequence, row));
   }
-  return tables;
+  return made;
 }
 
 }  // namespace
@@ -150,27 +147,26 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
-                                           const TrajectoryArguments& arguments, TableFormat format) {
+Evaluation MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
+                                   const TrajectoryArguments& arguments, TableFormat format) {
   const std::vector<TrajectoryOptions> options = MakeOptions(arguments);
   std::map<std::string, std::vector<RunToEvaluate>> runs_of;
   for (const RunToEvaluate& run : runs) runs_of[run.run.sequence].push_back(run);
   std::map<std::string, std::vector<NamedTrajectory>> by_sequence;
   for (const auto& [sequence, its_runs] : runs_of) {
-    by_sequence[sequence] = EvaluateRuns(sequence, its_runs, options);
+    by_sequence[sequence] = EvaluateRuns(its_runs, options);
   }
   return Finished(by_sequence, arguments, format);
 }
 
-std::vector<Table> MakeFileTrajectoryTables(const std::vector<fs::path>& files,
-                                            const std::vector<fs::path>& truth,
-                                            const TrajectoryArguments& arguments, TableFormat format) {
+Evaluation MakeFileTrajectoryTables(const std::vector<fs::path>& files, const std::vector<fs::path>& truth,
+                                    const TrajectoryArguments& arguments, TableFormat format) {
   const std::vector<TrajectoryOptions> options = MakeOptions(arguments);
   const std::vector<TimedPose> true_poses = ReadTruth(truth, arguments);
   std::vector<NamedTrajectory> rows;
   for (const fs::path& file : files) {
     const auto estimate = ReadTrajectory(file, MakeReading(arguments, RepeatedStamps::kRejected));
-    AddRows(file.filename().string(), "", estimate, true_poses, options, rows);
+    AddRows(file.filename().string(), TrajectoryKind::kFile, estimate, true_poses, options, rows);
   }
   return Finished({{FormatName(truth.front()), rows}}, arguments, format);
 }

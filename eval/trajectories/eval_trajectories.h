@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "eval/eval_inputs.h"
-#include "io/text_table.h"
+#include "eval/evaluation.h"
 
 namespace armature {
 
@@ -27,13 +27,13 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& arguments);
 
 // One table a sequence: trajectory.txt and odometry_scaled.txt of every run against groundtruth.txt. Throws
 // InputError: a run has no trajectory, a sequence no truth of it, a file is malformed, an argument is bad.
-std::vector<Table> MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
-                                           const TrajectoryArguments& arguments, TableFormat format);
+Evaluation MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
+                                   const TrajectoryArguments& arguments, TableFormat format);
 
 // One table of all files against one truth: a trajectory file or a sequence folder. Throws InputError as
 // above.
-std::vector<Table> MakeFileTrajectoryTables(const std::vector<std::filesystem::path>& files,
-                                            const std::vector<std::filesystem::path>& truth,
-                                            const TrajectoryArguments& arguments, TableFormat format);
+Evaluation MakeFileTrajectoryTables(const std::vector<std::filesystem::path>& files,
+                                    const std::vector<std::filesystem::path>& truth,
+                                    const TrajectoryArguments& arguments, TableFormat format);
 
 }  // namespace armature

@@ -164,21 +164,6 @@ Eigen::Isometry3d Similarity::Apply(const Eigen::Isometry3d& T_world_x) const {
   return T;
 }
 
-const std::vector<std::string>& AlignmentNames() {
-  static const std::vector<std::string> names = {"none",  "first_pose", "se3",    "sim3",
-                                                 "scale", "end_points", "first_n"};
-  return names;
-}
-
-std::string AlignmentName(AlignmentKind kind) { return AlignmentNames().at(static_cast<size_t>(kind)); }
-
-AlignmentKind AlignmentFromName(const std::string& name) {
-  const auto& names = AlignmentNames();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw InputError(UnknownNameMessage("alignment", name, names));
-  return static_cast<AlignmentKind>(found - names.begin());
-}
-
 Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int first_n) {
   if (kind == AlignmentKind::kNone) return {};
   if (pairs.empty()) return {.is_degenerate = true};

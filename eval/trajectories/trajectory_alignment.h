@@ -3,9 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <string>
 #include <vector>
 
+#include "io/evaluation_records.h"
 #include "io/trajectory.h"
 
 namespace armature {
@@ -29,23 +29,6 @@ struct PosePair {
   Eigen::Isometry3d estimate = Eigen::Isometry3d::Identity();  // T_world_camera, estimated world and unit
   Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();     // T_world_camera, metres
 };
-
-// What brings the estimate to the truth (in brackets: evo's options for the same).
-enum class AlignmentKind {
-  kNone,       // nothing: the frames have to agree
-  kFirstPose,  // the rigid motion that puts the first estimated pose on the true one (--align_origin)
-  kSe3,        // the rigid motion of least squared distances of the positions (-a)
-  kSim3,       // the similarity of least squared distances of the positions (-a -s)
-  kScale,      // sim3's scale, then the first pose on the true one (-s --align_origin)
-  kEndPoints,  // scale: the true distance from the first to the last position over the estimated one, as the
-               // paper does; then the first pose on the true one
-  kFirstN      // se3 of the first N pairs alone (-a --n_to_align N)
-};
-
-// none, first_pose, se3, sim3, scale, end_points, first_n; in the order of the enumeration.
-const std::vector<std::string>& AlignmentNames();
-std::string AlignmentName(AlignmentKind kind);
-AlignmentKind AlignmentFromName(const std::string& name);  // throws InputError for another name
 
 // Pairs by growing stamps. `first_n`: of kFirstN alone, at least 1; more than there are means all. Always
 // finite; where the pairs leave something open, is_degenerate is set and

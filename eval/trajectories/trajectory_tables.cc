@@ -37,34 +37,25 @@ std::string AlignmentMeaning(AlignmentKind kind, int first_n) {
   return "";
 }
 
-std::vector<Cell> MakeRow(const NamedTrajectory& named, int digits) {
-  const TrajectoryEvaluation& e = named.evaluation;
-  const bool any = !e.poses.empty();
-  const auto ate = AbsoluteError(e), translation = RelativeTranslationError(e),
-             rotation = RelativeRotationError(e);
-  const auto number = [&](bool known, double value) { return known ? NumberCell(value, digits) : NoCell(); };
-  const auto field = [&](const std::optional<ErrorStatistics>& s, double ErrorStatistics::*value) {
-    return s ? NumberCell((*s).*value, digits) : NoCell();
-  };
-  return {TextCell(named.run),
-          TextCell(named.trajectory),
-          TextCell(AlignmentName(e.options.alignment)),
-          CountCell(static_cast<long>(e.poses.size())),
-          CountCell(static_cast<long>(e.estimated)),
-          number(any, e.alignment.scale),
-          number(any, LogSO3(e.alignment.R).norm() / kDegree),
-          number(any, e.alignment.t.norm()),
-          field(ate, &ErrorStatistics::rmse),
-          field(ate, &ErrorStatistics::mean),
-          field(ate, &ErrorStatistics::median),
-          field(ate, &ErrorStatistics::max),
-          field(translation, &ErrorStatistics::rmse),
-          field(rotation, &ErrorStatistics::rmse),
-          CountCell(static_cast<long>(e.relative.size()))};
+// Nothing where a file is given by itself.
+std::string TrajectoryText(TrajectoryKind kind) {
+  return kind == TrajectoryKind::kFile ? "" : TrajectoryKindName(kind);
+}
+
+std::vector<Cell> MakeRow(const TrajectoryRecord& r, int digits) {
+  std::vector<Cell> row{TextCell(r.run), TextCell(TrajectoryText(r.trajectory)),
+                        TextCell(AlignmentName(r.alignment)), CountCell(r.matched_poses), CountCell(r.poses)};
+  for (const auto& value :
+       {r.alignment_scale, r.alignment_rotation_deg, r.alignment_translation_m, r.ate_rmse_m, r.ate_mean_m,
+        r.ate_median_m, r.ate_max_m, r.rpe_rmse_m, r.rpe_rmse_deg})
+    row.push_back(NumberCell(value, digits));
+  row.push_back(CountCell(r.rpe_pairs));
+  return row;
 }
 
 std::string FormatName(const NamedTrajectory& named) {
-  return named.trajectory.empty() ? named.run : fmt::format("{}, {}", named.run, named.trajectory);
+  const std::string trajectory = TrajectoryText(named.trajectory);
+  return trajectory.empty() ? named.run : fmt::format("{}, {}", named.run, trajectory);
 }
 
 // What a reader has to know of single rows.
@@ -114,6 +105,32 @@ std::vector<std::string> Notes(const std::vector<NamedTrajectory>& trajectories)
 
 }  // namespace
 
+TrajectoryRecord MakeTrajectoryRecord(const std::string& sequence, const NamedTrajectory& named) {
+  const TrajectoryEvaluation& e = named.evaluation;
+  const auto ate = AbsoluteError(e), translation = RelativeTranslationError(e),
+             rotation = RelativeRotationError(e);
+  const auto known = [&](double value) { return e.poses.empty() ? std::nullopt : std::optional(value); };
+  const auto field = [](const std::optional<ErrorStatistics>& s, double ErrorStatistics::*value) {
+    return s ? std::optional((*s).*value) : std::nullopt;
+  };
+  return {.sequence = sequence,
+          .run = named.run,
+          .trajectory = named.trajectory,
+          .alignment = e.options.alignment,
+          .matched_poses = static_cast<long>(e.poses.size()),
+          .poses = static_cast<long>(e.estimated),
+          .alignment_scale = known(e.alignment.scale),
+          .alignment_rotation_deg = known(LogSO3(e.alignment.R).norm() / kDegree),
+          .alignment_translation_m = known(e.alignment.t.norm()),
+          .ate_rmse_m = field(ate, &ErrorStatistics::rmse),
+          .ate_mean_m = field(ate, &ErrorStatistics::mean),
+          .ate_median_m = field(ate, &ErrorStatistics::median),
+          .ate_max_m = field(ate, &ErrorStatistics::max),
+          .rpe_rmse_m = field(translation, &ErrorStatistics::rmse),
+          .rpe_rmse_deg = field(rotation, &ErrorStatistics::rmse),
+          .rpe_pairs = static_cast<long>(e.relative.size())};
+}
+
 Table TrajectoryTable(const std::string& sequence, const std::vector<NamedTrajectory>& trajectories,
                       int digits) {
   Table table;
@@ -124,7 +141,8 @@ Table TrajectoryTable(const std::string& sequence, const std::vector<NamedTrajec
                    "poses",        "scale",          "rotation [deg]", "translation [m]",
                    "ATE rmse [m]", "ATE mean [m]",   "ATE median [m]", "ATE max [m]",
                    "RPE rmse [m]", "RPE rmse [deg]", "RPE pairs"};
-  for (const NamedTrajectory& named : trajectories) table.rows.push_back(MakeRow(named, digits));
+  for (const NamedTrajectory& named : trajectories)
+    table.rows.push_back(MakeRow(MakeTrajectoryRecord(sequence, named), digits));
   table.notes = Notes(trajectories);
   return table;
 }
@@ -140,9 +158,10 @@ std::string RawTrajectoryRows(const std::string& sequence, const NamedTrajectory
   auto relative = e.relative.begin();
   for (size_t i = 0; i < e.poses.size(); ++i) {
     const PoseError& pose = e.poses[i];
-    rows += fmt::format("{},{},{},{},{},{},{},{}", trajectory.run, sequence, trajectory.trajectory,
-                        AlignmentName(e.options.alignment), Fixed(e.alignment.scale, 12),
-                        Fixed(pose.timestamp, 6), Fixed(pose.position, 9), Fixed(pose.rotation_deg, 6));
+    rows += fmt::format("{},{},{},{},{},{},{},{}", trajectory.run, sequence,
+                        TrajectoryText(trajectory.trajectory), AlignmentName(e.options.alignment),
+                        Fixed(e.alignment.scale, 12), Fixed(pose.timestamp, 6), Fixed(pose.position, 9),
+                        Fixed(pose.rotation_deg, 6));
     if (relative != e.relative.end() && relative->first == i) {
       rows += fmt::format(",{},{},{}\n", Fixed(e.poses[relative->second].timestamp, 6),
                           Fixed(relative->translation, 9), Fixed(relative->rotation_deg, 6));

@@ -11,10 +11,12 @@
 namespace armature {
 
 struct NamedTrajectory {
-  std::string run;         // as shown
-  std::string trajectory;  // which of the run's, empty where there is one alone
+  std::string run;  // as shown
+  TrajectoryKind trajectory = TrajectoryKind::kFile;
   TrajectoryEvaluation evaluation;
 };
+
+TrajectoryRecord MakeTrajectoryRecord(const std::string& sequence, const NamedTrajectory& trajectory);
 
 // Trajectories against one truth, a row each, in the order given. `digits`: after the point of metres,
 // degrees and scales. Nothing matched: dashes.

@@ -37,7 +37,7 @@ void CheckHasEdges(const fs::path& truth_folder, const SequenceTruth& truth) {
                   truth_folder.string(), kTrueEdgesFile));
 }
 
-// By sequence; runs in the order given, named so that they are told apart. `need_edges`: all sequences have
+// By sequence; runs in the order given. `need_edges`: all sequences have
 // to have something to judge matches by.
 std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vector<RunToEvaluate>& runs,
                                                                 const std::vector<CategoryModel>& models,
@@ -46,18 +46,12 @@ std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vecto
   const CadLibrary cad = cad_folder.empty() ? CadLibrary() : CadLibrary(cad_folder, specs);
   std::map<std::string, SequenceTruth> truths;
   std::map<std::string, std::vector<NamedEvaluation>> evaluations;
-  std::map<std::string, std::vector<fs::path>> folders;
-  for (const auto& [identity, truth_folder] : runs) {
+  for (const auto& [identity, truth_folder, name] : runs) {
     const RunResults run = LoadRun(identity.folder);
     if (!truths.contains(run.sequence)) truths[run.sequence] = LoadSequenceTruth(truth_folder, specs);
     const SequenceTruth& truth = truths[run.sequence];
     if (need_edges && cad_folder.empty()) CheckHasEdges(truth_folder, truth);
-    evaluations[run.sequence].push_back({"", EvaluateRun(run, truth, models, cad)});
-    folders[run.sequence].push_back(run.folder);
-  }
-  for (auto& [sequence, named] : evaluations) {
-    const std::vector<std::string> names = RunNames(folders[sequence], sequence);
-    for (size_t i = 0; i < named.size(); ++i) named[i].run = names[i];
+    evaluations[run.sequence].push_back({name, EvaluateRun(run, truth, models, cad)});
   }
   return evaluations;
 }
@@ -77,24 +71,25 @@ void AddObservationArguments(CLI::App& command, ObservationArguments& a) {
       ->type_name("FILE");
 }
 
-std::vector<Table> MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
-                                            const std::vector<CategoryModel>& models,
-                                            const std::vector<std::string>& names, bool is_asked,
-                                            const ObservationArguments& arguments) {
+Evaluation MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
+                                    const std::vector<CategoryModel>& models,
+                                    const std::vector<std::string>& names, bool is_asked,
+                                    const ObservationArguments& arguments) {
   const bool asked_edges = is_asked && Has(names, "edges");
   const bool need_edges = asked_edges || !arguments.raw_edges.empty();
-  std::vector<Table> tables;
+  Evaluation made;
   std::vector<NamedEvaluation> all;
   for (const auto& [sequence, named] : EvaluateAll(runs, models, arguments.cad, need_edges)) {
     if (Has(names, "observations"))
-      for (Table& table : EvaluationTables(sequence, named)) tables.push_back(std::move(table));
+      for (Table& table : EvaluationTables(sequence, named)) made.tables.push_back(std::move(table));
     if (asked_edges || (Has(names, "edges") && HaveTrueEdges(named)))
-      tables.push_back(EdgeTable(sequence, named));
+      made.tables.push_back(EdgeTable(sequence, named));
+    made.Append({.records = {.views = MakeViewRecords(sequence, named)}});
     all.insert(all.end(), named.begin(), named.end());
   }
   if (!arguments.raw.empty()) WriteRaw(arguments.raw, RawCsv(all));
   if (!arguments.raw_edges.empty()) WriteRaw(arguments.raw_edges, RawEdgesCsv(all));
-  return tables;
+  return made;
 }
 
 }  // namespace armature

@@ -9,7 +9,7 @@
 
 #include "category/category_model.h"
 #include "eval/eval_inputs.h"
-#include "io/text_table.h"
+#include "eval/evaluation.h"
 
 namespace armature {
 
@@ -24,13 +24,13 @@ inline const std::vector<std::string> kObservationTableNames{"observations", "ed
 
 void AddObservationArguments(CLI::App& command, ObservationArguments& arguments);
 
-// The named tables, a sequence after the other. Matches are judged by edges_gt.csv of a sequence, else by the
-// CAD models. `is_asked`: the table of edges is also of sequences without edges_gt.csv, which then need CAD
-// models. Writes the raw rows. Throws InputError: a malformed or missing file, nothing to judge matches by,
-// a file that cannot be written.
-std::vector<Table> MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
-                                            const std::vector<CategoryModel>& models,
-                                            const std::vector<std::string>& names, bool is_asked,
-                                            const ObservationArguments& arguments);
+// The named tables, a sequence after the other, and the records of all views. Matches are judged by
+// edges_gt.csv of a sequence, else by the CAD models. `is_asked`: the table of edges is also of sequences
+// without edges_gt.csv, which then need CAD models. Writes the raw rows. Throws InputError: a malformed or
+// missing file, nothing to judge matches by, a file that cannot be written.
+Evaluation MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
+                                    const std::vector<CategoryModel>& models,
+                                    const std::vector<std::string>& names, bool is_asked,
+                                    const ObservationArguments& arguments);
 
 }  // namespace armature

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/number_format.h"
@@ -31,25 +32,62 @@ Selection Select(const RunEvaluation& evaluation, const std::string& category, b
   return s;
 }
 
-std::vector<Cell> MakeRow(const std::string& run, const std::string& category, const Selection& s,
-                          bool only_ok) {
-  std::vector<Cell> row{TextCell(run), TextCell(category.empty() ? "all" : category)};
+std::optional<double> Share(long part, long whole) {
+  if (whole == 0) return std::nullopt;
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+ViewRecord MakeViewRecord(const std::string& sequence, const NamedEvaluation& run,
+                          const std::optional<std::string>& category, bool only_ok) {
+  const Selection s = Select(run.evaluation, category.value_or(""), only_ok);
   const ObservationSummary summary = Summarise(s.errors);
-  const bool any = summary.count > 0;
-  const auto median = [&](double value, int digits) { return any ? NumberCell(value, digits) : NoCell(); };
-  row.push_back(CountCell(s.detections));
-  row.push_back(CountCell(summary.count));
-  if (!only_ok) row.push_back(PercentCell(s.ok, s.detections));
-  row.push_back(median(summary.median_azimuth_deg, 2));
-  row.push_back(
-      PercentCell(summary.share_within_15_deg * summary.count, only_ok ? summary.count : s.detections));
-  row.push_back(median(summary.median_translation_percent, 2));
-  row.push_back(median(summary.median_distance_percent, 2));
-  row.push_back(median(summary.median_axis_deg, 2));
-  for (const RightMatches* right : {&s.matches.on_edge, &s.matches.near_edge}) {
-    row.push_back(PercentCell(right->matches, s.matches.matches));
-    row.push_back(PercentCell(right->edges, s.matches.visible_edges));
+  const auto median = [&](double value) { return summary.count > 0 ? std::optional(value) : std::nullopt; };
+  const long within_15_deg = std::lround(summary.share_within_15_deg * summary.count);
+  return {.sequence = sequence,
+          .run = run.run,
+          .category = category,
+          .only_ok = only_ok,
+          .detections = s.detections,
+          .estimates = summary.count,
+          .ok = s.ok,
+          .azimuth_median_deg = median(summary.median_azimuth_deg),
+          .views_within_15_deg_share = Share(within_15_deg, only_ok ? summary.count : s.detections),
+          .translation_median_percent = median(summary.median_translation_percent),
+          .distance_median_percent = median(summary.median_distance_percent),
+          .up_axis_median_deg = median(summary.median_axis_deg),
+          .matches = s.matches.matches,
+          .visible_edges = s.matches.visible_edges,
+          .match_precision_share = Share(s.matches.on_edge.matches, s.matches.matches),
+          .match_recall_share = Share(s.matches.on_edge.edges, s.matches.visible_edges),
+          .near_match_precision_share = Share(s.matches.near_edge.matches, s.matches.matches),
+          .near_match_recall_share = Share(s.matches.near_edge.edges, s.matches.visible_edges)};
+}
+
+std::vector<ViewRecord> MakeRecords(const std::string& sequence, const std::vector<NamedEvaluation>& runs,
+                                    bool only_ok) {
+  std::vector<ViewRecord> records;
+  const std::vector<std::string> categories = ListCategories(runs);
+  for (const NamedEvaluation& run : runs) {
+    for (const std::string& category : categories)
+      records.push_back(MakeViewRecord(sequence, run, category, only_ok));
+    records.push_back(MakeViewRecord(sequence, run, std::nullopt, only_ok));
   }
+  return records;
+}
+
+std::vector<Cell> MakeRow(const ViewRecord& r) {
+  std::vector<Cell> row{TextCell(r.run), TextCell(r.category.value_or("all")), CountCell(r.detections),
+                        CountCell(r.estimates)};
+  if (!r.only_ok) row.push_back(PercentCell(static_cast<double>(r.ok), static_cast<double>(r.detections)));
+  row.push_back(NumberCell(r.azimuth_median_deg, 2));
+  row.push_back(ShareCell(r.views_within_15_deg_share, r.only_ok ? r.estimates : r.detections));
+  row.push_back(NumberCell(r.translation_median_percent, 2));
+  row.push_back(NumberCell(r.distance_median_percent, 2));
+  row.push_back(NumberCell(r.up_axis_median_deg, 2));
+  row.push_back(ShareCell(r.match_precision_share, r.matches));
+  row.push_back(ShareCell(r.match_recall_share, r.visible_edges));
+  row.push_back(ShareCell(r.near_match_precision_share, r.matches));
+  row.push_back(ShareCell(r.near_match_recall_share, r.visible_edges));
   return row;
 }
 
@@ -103,13 +141,7 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
         "precision [%]", "recall [%]", "~precision [%]", "~recall [%]"}) {
     table.columns.push_back(column);
   }
-  std::vector<std::string> categories = ListCategories(runs);
-  categories.push_back("");  // all
-  for (const NamedEvaluation& run : runs) {
-    for (const std::string& category : categories) {
-      table.rows.push_back(MakeRow(run.run, category, Select(run.evaluation, category, only_ok), only_ok));
-    }
-  }
+  for (const ViewRecord& record : MakeRecords(sequence, runs, only_ok)) table.rows.push_back(MakeRow(record));
   table.notes = Notes(runs, only_ok);
   return table;
 }
@@ -130,6 +162,13 @@ std::string RawRow(const std::string& run, const std::string& sequence, const Ev
 
 }  // namespace
 
+std::vector<ViewRecord> MakeViewRecords(const std::string& sequence,
+                                        const std::vector<NamedEvaluation>& runs) {
+  std::vector<ViewRecord> records = MakeRecords(sequence, runs, false);
+  for (ViewRecord& record : MakeRecords(sequence, runs, true)) records.push_back(std::move(record));
+  return records;
+}
+
 std::vector<std::string> ListCategories(const std::vector<NamedEvaluation>& runs) {
   std::set<std::string> categories;
   for (const NamedEvaluation& run : runs) {
@@ -141,21 +180,6 @@ std::vector<std::string> ListCategories(const std::vector<NamedEvaluation>& runs
 bool HaveTrueEdges(const std::vector<NamedEvaluation>& runs) {
   return std::any_of(runs.begin(), runs.end(),
                      [](const NamedEvaluation& run) { return run.evaluation.has_true_edges; });
-}
-
-std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
-                                  const std::string& sequence) {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& folder : folders) {
-    std::filesystem::path path = folder.lexically_normal();
-    if (!path.has_filename()) path = path.parent_path();
-    if (path.filename() == sequence && path.parent_path().has_filename()) path = path.parent_path();
-    names.push_back(path.filename().string());
-  }
-  if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;
-  names.clear();
-  for (const std::filesystem::path& folder : folders) names.push_back(folder.string());
-  return names;
 }
 
 std::vector<Table> EvaluationTables(const std::string& sequence, const std::vector<NamedEvaluation>& runs) {

@@ -2,11 +2,11 @@
 // The tables of single views that `armature eval` prints.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "eval/views/run_evaluation.h"
+#include "io/evaluation_records.h"
 #include "io/text_table.h"
 
 namespace armature {
@@ -16,10 +16,9 @@ struct NamedEvaluation {
   RunEvaluation evaluation;
 };
 
-// Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder
-// is named after the sequence, and the paths as they are where those are not distinct.
-std::vector<std::string> RunNames(const std::vector<std::filesystem::path>& folders,
-                                  const std::string& sequence);
+// A record a run, category and choice of estimates: all of them, then those with status ok.
+std::vector<ViewRecord> MakeViewRecords(const std::string& sequence,
+                                        const std::vector<NamedEvaluation>& runs);
 
 // What detections of the runs are of, sorted.
 std::vector<std::string> ListCategories(const std::vector<NamedEvaluation>& runs);

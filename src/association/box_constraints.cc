@@ -7,6 +7,11 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a, whose detections' boxes are a person's.
+constexpr double kCutTolerance = 0.06;  // share of the box: a side this close to the image's border is cut
+constexpr double kHiddenProbability = 0.3;        // of a bottom that no other box goes on beyond
+constexpr double kHiddenBehindProbability = 0.7;  // of a side that another box goes on beyond
+
 // Ends of all edges, rotated: 3 x 2m.
 Eigen::Matrix3Xd RotatedEnds(const Wireframe& wireframe, const Eigen::Matrix3d& R) {
   const Eigen::Index m = wireframe.edges();
@@ -48,16 +53,15 @@ std::array<Eigen::Index, 4> OutermostEnds(const Eigen::Matrix3Xd& ends, const Ei
 
 }  // namespace
 
-BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance) {
-  const double dx = cut_tolerance * box.width, dy = cut_tolerance * box.height;
+BoxSides SidesAtImageBorder(const Box& box, const Camera& camera) {
+  const double dx = kCutTolerance * box.width, dy = kCutTolerance * box.height;
   const auto side = [](bool cut) { return cut ? BoxSide::kOpen : BoxSide::kSeen; };
   return {side(box.left() < dx), side(box.top() < dy), side(box.right() > camera.width - 1 - dx),
           side(box.bottom() > camera.height - 1 - dy)};
 }
 
-std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others,
-                                          const BoxOptions& options) {
-  std::array<double, 4> probability = {0, 0, 0, options.hidden_probability};
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others) {
+  std::array<double, 4> probability = {0, 0, 0, kHiddenProbability};
   // A strip just beyond each side, a fifth of the box deep.
   const double dx = 0.2 * box.width, dy = 0.2 * box.height;
   const std::array<Box, 4> beyond = {
@@ -68,7 +72,7 @@ std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>
       // The other box must also reach into this one, else it is beside it.
       const bool overlaps = Intersection(other, box).area() > 0.1 * box.area();
       if (overlaps && Intersection(other, beyond[side]).area() > 0.6 * beyond[side].area()) {
-        probability[side] = options.hidden_behind_probability;
+        probability[side] = kHiddenBehindProbability;
       }
     }
   }

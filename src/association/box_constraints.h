@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a detection's box says about translation (paper 3.3.1, eqs. computing_Tz, _Tx, _Ty).
+// What a detection's box says about translation (paper 3.3.1, eqs. 7-9).
 //
 // The paper divides constants k_x, k_y by the box's width and height. The width depends on the azimuth, boxes
 // are cut by the image's border and shrunk by occluders; so we use the corners of the projected hypothesis
@@ -15,22 +15,17 @@
 namespace armature {
 
 struct BoxOptions {
-  double cut_tolerance =
-      0.06;                 // share of the box's size: a side this close to the image's border is cut by it
   double sigma = 0.03;      // share of the box's size: standard deviation of a side
   double sigma_pixels = 2;  // added to it
-  double hidden_probability = 0.3;         // of a bottom that no other box goes on beyond
-  double hidden_behind_probability = 0.7;  // of a side that another box goes on beyond
 };
 
 // Open where the image's border cuts the box, seen elsewhere.
-BoxSides SidesAtImageBorder(const Box& box, const Camera& camera, double cut_tolerance);
+BoxSides SidesAtImageBorder(const Box& box, const Camera& camera);
 
 // Probability that something hides the object beyond each side of its box. Another detection's box that goes
 // on beyond the side may be of an object in front of it; furniture stands on the floor, so what hides it
 // mostly hides its bottom.
-std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others,
-                                          const BoxOptions& options);
+std::array<double, 4> HiddenProbabilities(const Box& box, const std::vector<Box>& others);
 
 // Standard deviation in pixels of the box's sides, by the axis it moves along: {left/right, top/bottom}.
 std::array<double, 2> SideSigmas(const Box& box, const BoxOptions& options);
@@ -63,7 +58,7 @@ std::optional<double> BoxAgreement(const Box& expected, const Box& seen, double 
 // ellipsoid with the category's padding as half axes.
 Eigen::Vector2d ImagePadding(const CategorySpec& spec, const Eigen::Matrix3d& R_camera_object);
 
-// The paper's eqs. computing_Tz..Ty from the wireframe's extents seen under R at unit distance.
+// The paper's eqs. 7-9 from the wireframe's extents seen under R at unit distance.
 Eigen::Vector3d PrintedTranslation(const ObjectView& view, const Wireframe& wireframe,
                                    const Eigen::Matrix3d& R);
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "association/line_seeds.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 
@@ -25,20 +26,12 @@ std::vector<double> Offsets(double spread, double step) {
   return offsets;
 }
 
-std::vector<Eigen::Matrix3d> Rotations(const ObjectView& view, double azimuth,
-                                       const HypothesisOptions& options) {
+// Upright; where up is unknown, as the prior's elevation and tilt have it.
+Eigen::Matrix3d RotationAt(const ObjectView& view, double azimuth) {
   const Eigen::Vector3d ray = BoxRay(view);
-  if (view.up_camera) return {UprightRotation(azimuth, *view.up_camera, ray)};
-  std::vector<Eigen::Matrix3d> rotations;
-  for (const double elevation :
-       Offsets(options.elevation_spread_deg * kDegree, options.angle_step_deg * kDegree)) {
-    for (const double tilt : Offsets(options.tilt_spread_deg * kDegree, options.angle_step_deg * kDegree)) {
-      const Viewpoint viewpoint{azimuth, view.detection.elevation.value_or(0) + elevation,
-                                view.detection.tilt.value_or(0) + tilt};
-      rotations.push_back(RotationFromViewpoint(viewpoint, ray));
-    }
-  }
-  return rotations;
+  if (view.up_camera) return UprightRotation(azimuth, *view.up_camera, ray);
+  return RotationFromViewpoint(
+      {azimuth, view.detection.elevation.value_or(0), view.detection.tilt.value_or(0)}, ray);
 }
 
 // The box as it is, with its bottom hidden, with each other side hidden that may be, and with all of those.
@@ -107,9 +100,8 @@ void AddBoxHypotheses(const ObjectView& view, const Turned& turned, const std::v
 }
 
 void AddLineHypotheses(const ObjectView& view, const Turned& turned, const BoxOptions& box_options,
-                       const HypothesisOptions& options, std::vector<Hypothesis>& hypotheses) {
-  for (const Eigen::Vector3d& T :
-       TranslationsFromLines(view, turned.wireframe, turned.R, options.line_seeds)) {
+                       std::vector<Hypothesis>& hypotheses) {
+  for (const Eigen::Vector3d& T : TranslationsFromLines(view, turned.wireframe, turned.R)) {
     Hypothesis hypothesis = At(turned, view.sides, T);
     hypothesis.sides = SidesFor(view, turned.wireframe, hypothesis.start.T_camera_object, box_options);
     hypotheses.push_back(std::move(hypothesis));
@@ -118,7 +110,7 @@ void AddLineHypotheses(const ObjectView& view, const Turned& turned, const BoxOp
 
 void AddMemoryHypotheses(const ObjectView& view, const std::vector<BoxSides>& variants,
                          std::vector<Hypothesis>& hypotheses) {
-  const PoseAndShape& expected = view.memory->expected;
+  const PoseAndShape& expected = view.track_prior->expected;
   const Eigen::Isometry3d& T = expected.T_camera_object;
   const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
   for (const BoxSides& sides : variants) hypotheses.push_back({expected, -1, sides, azimuth});
@@ -147,15 +139,14 @@ std::vector<Hypothesis> MakeHypotheses(const ObjectView& view, const std::vector
                                        const BoxOptions& box_options, const HypothesisOptions& options) {
   std::vector<Hypothesis> hypotheses;
   const std::vector<BoxSides> variants = SideVariants(view, options);
-  const bool seeds_from_lines = options.line_seeds.enabled && NeedsLineSeeds(view);
-  if (view.memory) AddMemoryHypotheses(view, variants, hypotheses);
+  const bool seeds_from_lines = NeedsLineSeeds(view);
+  if (view.track_prior) AddMemoryHypotheses(view, variants, hypotheses);
   for (const double azimuth : CandidateAzimuths(view, options)) {
-    for (const Eigen::Matrix3d& R : Rotations(view, azimuth, options)) {
-      for (size_t d = 0; d < dictionary.size(); ++d) {
-        const Turned turned{static_cast<int>(d), view.model->dictionary[d], dictionary[d], azimuth, R};
-        AddBoxHypotheses(view, turned, variants, options, hypotheses);
-        if (seeds_from_lines) AddLineHypotheses(view, turned, box_options, options, hypotheses);
-      }
+    const Eigen::Matrix3d R = RotationAt(view, azimuth);
+    for (size_t d = 0; d < dictionary.size(); ++d) {
+      const Turned turned{static_cast<int>(d), view.model->dictionary[d], dictionary[d], azimuth, R};
+      AddBoxHypotheses(view, turned, variants, options, hypotheses);
+      if (seeds_from_lines) AddLineHypotheses(view, turned, box_options, hypotheses);
     }
   }
   return hypotheses;

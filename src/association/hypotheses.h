@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "association/box_constraints.h"
-#include "association/line_seeds.h"
 #include "association/object_view.h"
 
 namespace armature {
@@ -15,12 +14,8 @@ struct HypothesisOptions {
   double azimuth_spread_deg = 30;    // degrees either side of the prior
   double azimuth_step_deg = 15;      // degrees
   int horizontal_peaks = 2;          // azimuths to try where the horizontal segments of the box vanish
-  double elevation_spread_deg = 0;   // degrees either side of the prior; only where up is unknown
-  double tilt_spread_deg = 0;        // degrees, likewise
-  double angle_step_deg = 8;         // degrees, of elevation and tilt
   double depth_factor = 1.25;        // the box's depth is also tried divided and multiplied by this; 1: not
   bool hidden_sides = true;          // also try that a side of the box is where something hides the object
-  LineSeedOptions line_seeds;        // where the box is too little
   bool printed_translation = false;  // the paper's equations instead of all sides of the box
 };
 

@@ -11,11 +11,19 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a, against the azimuth and depth of single views.
+constexpr double kCoverageWeight = 12;  // of the share of the visible length that no segment explains
+constexpr double kBoxLossScale = 3;     // standard deviations
+constexpr double kShapeWeight = 0.15;   // of the squared coefficients
+constexpr double kFloorWeight = 0.5;    // of the squared, robust floor residual
+constexpr double kMemoryWeight = 0.3;   // of the squared, robust distance from what is remembered
+constexpr double kMemoryLossScale = 4;  // standard deviations
+constexpr double kYawMemoryCap = 6;     // the remembered viewpoint priors cost at most this
+
 double GemanMcClure(double r, double scale) { return r * r / (1 + r * r / (scale * scale)); }
 
 double BoxCost(const ObjectView& view, const Eigen::Matrix3d& R_camera_object, const BoxSides& sides,
-               const ProjectedWireframe& projected, const BoxOptions& box_options,
-               const CostOptions& options) {
+               const ProjectedWireframe& projected, const BoxOptions& box_options) {
   const Box& box = view.detection.box;
   const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
@@ -28,7 +36,7 @@ double BoxCost(const ObjectView& view, const Eigen::Matrix3d& R_camera_object, c
     const double padding =
         reach(static_cast<Eigen::Index>(side % 2)) * view.camera->fx * extremes[side].inverse_z;
     const double short_by = ((side < 2 ? 1 : -1) * (extremes[side].pixel - at[side]) - padding) / sigma;
-    if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, options.box_loss_scale);
+    if (sides[side] == BoxSide::kSeen || short_by > 0) cost += GemanMcClure(short_by, kBoxLossScale);
   }
   return cost;
 }
@@ -55,20 +63,18 @@ double AzimuthCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_obj
                    options.azimuth_outliers * 0.1);
 }
 
-double MemoryCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
-  const TrackPrior& memory = *view.memory;
+double TrackPriorCost(const ObjectView& view, const PoseAndShape& at, const CostOptions& options) {
+  const TrackPrior& prior = *view.track_prior;
   const Eigen::Matrix3d R = at.T_camera_object.linear();
-  const MemoryVector difference = memory.Difference(R, at.T_camera_object.translation(), at.coefficients);
-  const MemoryVector push = memory.information * difference;
+  const TrackPriorVector difference = prior.Difference(R, at.T_camera_object.translation(), at.coefficients);
+  const TrackPriorVector push = prior.information * difference;
   const double sigmas = std::sqrt(difference.dot(push));
-  const double yaw = std::atan2(R.col(2).dot(memory.yaw_quarter), R.col(2).dot(memory.yaw_zero));
-  return options.memory_weight * GemanMcClure(sigmas, options.memory_loss_scale) +
-         std::min(options.yaw_memory_cap, options.azimuth_weight * memory.belief.At(yaw));
+  const double yaw = std::atan2(R.col(2).dot(prior.yaw_quarter), R.col(2).dot(prior.yaw_zero));
+  return kMemoryWeight * GemanMcClure(sigmas, kMemoryLossScale) +
+         std::min(kYawMemoryCap, options.azimuth_weight * prior.belief.At(yaw));
 }
 
-double ShapeCost(const PoseAndShape& at, const CostOptions& options) {
-  return options.shape_weight * at.coefficients.squaredNorm();
-}
+double ShapeCost(const PoseAndShape& at) { return kShapeWeight * at.coefficients.squaredNorm(); }
 
 double FloorCost(const ObjectView& view, const Eigen::Isometry3d& T_camera_object,
                  const Wireframe& wireframe) {
@@ -89,20 +95,16 @@ double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wir
                  const BoxSides& sides, const ProjectedWireframe& projected, const BoxOptions& box_options,
                  const CostOptions& options) {
   return options.box_weight *
-             BoxCost(view, estimate.T_camera_object.linear(), sides, projected, box_options, options) +
+             BoxCost(view, estimate.T_camera_object.linear(), sides, projected, box_options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
-         (view.memory ? MemoryCost(view, estimate, options) : ShapeCost(estimate, options)) +
-         options.floor_weight * FloorCost(view, estimate.T_camera_object, wireframe) +
-         HiddenCost(view, sides);
+         (view.track_prior ? TrackPriorCost(view, estimate, options) : ShapeCost(estimate)) +
+         kFloorWeight * FloorCost(view, estimate.T_camera_object, wireframe) + HiddenCost(view, sides);
 }
 
-double LineCost(const ObjectView& view, const ProjectedWireframe& projected, double covered_length,
-                const CostOptions& options) {
+double LineCost(const ProjectedWireframe& projected, double covered_length) {
   const double visible = projected.VisibleLength();
-  if (visible <= 0) return options.coverage_weight;
-  const double diagonal = std::hypot(view.detection.box.width, view.detection.box.height);
-  return options.coverage_weight * (1 - covered_length / visible) -
-         options.length_weight * covered_length / diagonal;
+  if (visible <= 0) return kCoverageWeight;
+  return kCoverageWeight * (1 - covered_length / visible);
 }
 
 }  // namespace armature

@@ -11,6 +11,11 @@ namespace armature {
 namespace {
 
 constexpr double kNearest = 0.3, kFarthest = 15;  // metres, of an object's centre
+// A bound on time; tuned on office_dev and redkitchen_a.
+constexpr size_t kSeedSegments = 30;        // the longest, that are tried on every edge
+constexpr size_t kSeedPairs = 20;           // pairs of edge and segment that are combined, two at a time
+constexpr size_t kSeedTranslations = 16;    // kept for each rotation and shape
+constexpr double kSeedAngle = 4 * kDegree;  // between the edge and the segment's plane, at most
 
 // A segment that may be the image of an edge, whatever the translation.
 struct Pair {
@@ -22,9 +27,9 @@ struct Pair {
 };
 
 std::vector<Pair> CompatiblePairs(const ObjectView& view, const Wireframe& wireframe,
-                                  const Eigen::Matrix3d& R, const LineSeedOptions& options) {
-  const double max_sine = std::sin(options.max_angle_deg * kDegree);
-  const size_t count = std::min(view.segments.size(), static_cast<size_t>(options.segments));
+                                  const Eigen::Matrix3d& R) {
+  const double max_sine = std::sin(kSeedAngle);
+  const size_t count = std::min(view.segments.size(), kSeedSegments);
   std::vector<Pair> pairs;
   for (size_t i = 0; i < count; ++i) {
     const Segment& segment = view.segments[i];
@@ -69,7 +74,7 @@ bool NeedsLineSeeds(const ObjectView& view) {
 }
 
 std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const Wireframe& wireframe,
-                                                   const Eigen::Matrix3d& R, const LineSeedOptions& options) {
+                                                   const Eigen::Matrix3d& R) {
   std::vector<Eigen::Vector3d> translations;
   if (!view.floor || !view.up_camera || !view.model->spec.stands_on_floor) return translations;
   const Eigen::Vector3d up_camera = *view.up_camera;
@@ -77,10 +82,10 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
   const double lowest =
       (up * R * wireframe.midpoints - (up * R * wireframe.directions).cwiseAbs() / 2).minCoeff();
   const double floor = -view.floor->camera_height - lowest;
-  std::vector<Pair> pairs = CompatiblePairs(view, wireframe, R, options);
+  std::vector<Pair> pairs = CompatiblePairs(view, wireframe, R);
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.length > b.length; });
-  if (pairs.size() > static_cast<size_t>(options.pairs)) pairs.resize(static_cast<size_t>(options.pairs));
+  if (pairs.size() > kSeedPairs) pairs.resize(kSeedPairs);
   struct Found {
     double length;
     Eigen::Vector3d T;
@@ -105,7 +110,7 @@ std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.length > b.length; });
   for (const Found& candidate : found) {
-    if (static_cast<int>(translations.size()) >= options.translations) break;
+    if (translations.size() >= kSeedTranslations) break;
     if (IsNew(translations, candidate.T)) translations.push_back(candidate.T);
   }
   return translations;

@@ -4,7 +4,7 @@
 // A box that the image cuts on two or three sides, or whose object is half hidden, does not tell where the
 // object is. With the rotation given, a segment on an edge does: its plane through the camera, normal N,
 // holds the edge,
-//   N . (R M + T) = 0   (paper eq. normal_constraint2),
+//   N . (R M + T) = 0   (paper eq. 17),
 // one linear equation in T. Two edges and the floor, on which the object's lowest point lies, make three.
 #pragma once
 
@@ -14,14 +14,6 @@
 
 namespace armature {
 
-struct LineSeedOptions {
-  bool enabled = true;
-  int segments = 30;         // the longest that are tried on every edge
-  int pairs = 20;            // the best pairs of edge and segment that are combined, two at a time
-  int translations = 16;     // that are kept for each rotation and shape
-  double max_angle_deg = 4;  // degrees, between the edge and the segment's plane
-};
-
 // Whether the box alone is too little: a side is cut or likely hidden.
 bool NeedsLineSeeds(const ObjectView& view);
 
@@ -29,6 +21,6 @@ bool NeedsLineSeeds(const ObjectView& view);
 // whose pairs are longest. Empty where neither floor nor up is known, or the category does not stand on the
 // floor.
 std::vector<Eigen::Vector3d> TranslationsFromLines(const ObjectView& view, const Wireframe& wireframe,
-                                                   const Eigen::Matrix3d& R, const LineSeedOptions& options);
+                                                   const Eigen::Matrix3d& R);
 
 }  // namespace armature

@@ -23,9 +23,9 @@ Eigen::Vector3d TrackPrior::AheadOfFront() const {
   return expected.T_camera_object.linear().col(0);
 }
 
-MemoryVector TrackPrior::Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
-                                    const Eigen::Ref<const Eigen::VectorXd>& coefficients) const {
-  MemoryVector difference(4 + coefficients.size());
+TrackPriorVector TrackPrior::Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
+                                        const Eigen::Ref<const Eigen::VectorXd>& coefficients) const {
+  TrackPriorVector difference(4 + coefficients.size());
   difference.head<3>() = T - expected.T_camera_object.translation();
   difference(3) = AheadOfFront().dot(R_camera_object.col(2));
   difference.tail(coefficients.size()) = coefficients - expected.coefficients;

@@ -47,7 +47,7 @@ struct YawBelief {
 };
 
 // A value of an TrackPrior's z, or something that belongs to each of its numbers; not on the heap.
-using MemoryVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 + kMaxModes, 1>;
+using TrackPriorVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 + kMaxModes, 1>;
 
 // What earlier frames say about an object that has been seen before: a Gaussian over z = (T, yaw, lambda), 4
 // + B numbers, T the object's centre in this camera, yaw the turn about up, lambda the shape's coefficients.
@@ -63,8 +63,8 @@ struct TrackPrior {
 
   // z - z_expected of a pose and shape; the yaw's difference is taken from the direction of the object's
   // front.
-  MemoryVector Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
-                          const Eigen::Ref<const Eigen::VectorXd>& coefficients) const;
+  TrackPriorVector Difference(const Eigen::Matrix3d& R_camera_object, const Eigen::Vector3d& T,
+                              const Eigen::Ref<const Eigen::VectorXd>& coefficients) const;
   // The horizontal direction 90 degrees ahead of the expected front: the front's component along it is the
   // yaw's difference to first order.
   Eigen::Vector3d AheadOfFront() const;
@@ -82,7 +82,7 @@ struct ObjectView {
       up_camera;                     // unit, camera frame; none: take the viewpoint's elevation and tilt
   std::vector<ImageFace> occluders;  // faces of other objects in this image
   std::optional<FloorPrior> floor;
-  std::optional<TrackPrior> memory;
+  std::optional<TrackPrior> track_prior;
 };
 
 }  // namespace armature

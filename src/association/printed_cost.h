@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The association cost exactly as the paper prints it (3.3.2, eqs. perpendicular_1 to
-// total_association_cost).
+// The association cost exactly as the paper prints it (3.3.2, eqs. 6 and 10-15).
 #pragma once
 
 #include <vector>

@@ -19,11 +19,24 @@ InputError UnknownCategory(const std::string& category) {
 
 }  // namespace
 
-const CategoryModel& LookUpModel(const std::vector<CategoryModel>& models, const std::string& category) {
+const CategoryModel* FindModel(const std::vector<CategoryModel>& models, const std::string& category) {
   const auto found = std::find_if(models.begin(), models.end(),
                                   [&](const CategoryModel& model) { return model.spec.name == category; });
-  if (found == models.end()) throw UnknownCategory(category);
+  return found == models.end() ? nullptr : &*found;
+}
+
+const CategoryModel& LookUpModel(const std::vector<CategoryModel>& models, const std::string& category) {
+  const CategoryModel* found = FindModel(models, category);
+  if (found == nullptr) throw UnknownCategory(category);
   return *found;
+}
+
+const CategoryModel& LookUpModel(const std::vector<std::shared_ptr<const CategoryModel>>& models,
+                                 const std::string& category) {
+  const auto found = std::find_if(models.begin(), models.end(),
+                                  [&](const auto& model) { return model->spec.name == category; });
+  if (found == models.end()) throw UnknownCategory(category);
+  return **found;
 }
 
 const CategorySpec& FindSpec(const std::vector<CategorySpec>& specs, const std::string& category) {

@@ -14,7 +14,7 @@ namespace armature {
 // after them.
 std::vector<Wireframe> TrainingSet(const TrainingSpec& spec, const std::vector<Wireframe>& wireframes);
 
-// X = mean + V Lambda (paper eq. shapePrior) with the spec.modes directions of largest variance, from the SVD
+// X = mean + V Lambda (paper eq. 5) with the spec.modes directions of largest variance, from the SVD
 // of the centred shape vectors; fewer modes where the models span less. Signs: each mode's largest component
 // is positive. The dictionary are k-medoids of the given wireframes (not of their mirror images), compared by
 // their shapes within the basis, that is by coefficients times standard deviations, in metres: a centimetre

@@ -51,8 +51,7 @@ std::vector<std::string> OptionKeys() {
 
 std::string OptionsHelp() {
   Options options;
-  return "Options (key, default, meaning), for --set key=value or as nested maps for --config:\n" +
-         HelpText(OptionTable(options));
+  return DescribeOptions(OptionTable(options));
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 
 namespace armature {
 
+// What --help lists at its end: each option's key, meaning, values and default, those under "expert." last.
+std::string DescribeOptions(const std::vector<OptionEntry>& entries);
+
 std::vector<std::string> Keys(const std::vector<OptionEntry>& entries);
 
 // Adds --set; the shell offers the keys.

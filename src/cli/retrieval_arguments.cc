@@ -13,8 +13,7 @@ void AddRetrievalArguments(CLI::App& command, RetrievalArguments& arguments) {
   AddSettings(command, arguments.settings, Keys(RetrievalOptionTable(defaults)));
   command.footer([] {
     RetrievalOptions options;
-    return "Options (key, default, meaning), for --set key=value or as nested maps for --config:\n" +
-           HelpText(RetrievalOptionTable(options));
+    return DescribeOptions(RetrievalOptionTable(options));
   });
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "geometry/triangle_mesh.h"
+
 namespace armature {
 
 using Colour = Eigen::Vector3d;  // red, green, blue, 0..1, as one picks it in a drawing program (sRGB)
@@ -52,5 +54,8 @@ Eigen::AlignedBox3d BoundingBox(const Mesh& mesh);
 
 // The mesh shifted; its textures move with it.
 Mesh Shifted(const Mesh& mesh, const Eigen::Vector3d& shift);
+
+// With the materials' colours. Corners of a part that are the same point (as floats) are one vertex.
+TriangleMesh MakeTriangles(const Mesh& mesh);
 
 }  // namespace armature

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "category/category_lookup.h"
 #include "geometry/viewpoint.h"
 
 namespace armature {
@@ -74,13 +75,6 @@ std::optional<std::array<Eigen::Vector3d, 2>> CutAtNearPlane(Eigen::Vector3d a, 
   if (a.z() <= kNear) a = b + (a - b) * (b.z() - kNear) / (b.z() - a.z());
   if (b.z() <= kNear) b = a + (b - a) * (a.z() - kNear) / (a.z() - b.z());
   return std::array{a, b};
-}
-
-const CategoryModel* FindModel(const std::vector<CategoryModel>& models, const std::string& category) {
-  for (const CategoryModel& model : models) {
-    if (model.spec.name == category) return &model;
-  }
-  return nullptr;
 }
 
 void DrawBox(const Box& box, cv::Mat* image) {

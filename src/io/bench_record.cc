@@ -94,6 +94,21 @@ Json StatisticsJson(const SpanStatistics& s) {
           {"median_high", s.median_high}};
 }
 
+Json NamedRatioJson(const NamedRatio& ratio) {
+  Json json = {{"table", ratio.table},
+               {"sequence", ratio.sequence},
+               {"contender", ratio.contender},
+               {"reference", ratio.reference}};
+  json.update(StatisticsJson(ratio.ratio));
+  return json;
+}
+
+NamedRatio NamedRatioFromJson(const Json& json) {
+  return {json.at("table").get<std::string>(), json.at("sequence").get<std::string>(),
+          json.at("contender").get<std::string>(), json.at("reference").get<std::string>(),
+          StatisticsFrom(json)};
+}
+
 void AddBenchRecord(const BenchRecord& record, Json& json) {
   json["schema"] = kSchema;
   json["environment"]["cpu"] = record.cpu;

@@ -3,7 +3,8 @@
 //   {"schema": 1, "environment": {"cpu": NAME},
 //    "calibration_ms": {"n", "mean", "std", "median", "p10", "p90", "p99", "max", "median_low",
 //    "median_high"}, "spans": [{"table", "sequence", "contender", "stage", and as calibration_ms}]}
-// All times are milliseconds, with every digit. What else the object holds is not looked at.
+// All times are milliseconds, with every digit. What else the object holds is not looked at; beside the spans
+// it has "ratios": [{"table", "sequence", "contender", "reference", and as calibration_ms}].
 #pragma once
 
 #include <filesystem>
@@ -22,6 +23,9 @@ struct BenchRecord {
 };
 
 nlohmann::ordered_json StatisticsJson(const SpanStatistics& s);
+nlohmann::ordered_json NamedRatioJson(const NamedRatio& ratio);
+// Throws nlohmann::json::exception, which names the member that is missing.
+NamedRatio NamedRatioFromJson(const nlohmann::ordered_json& json);
 
 // Adds the members above to an object, and to its environment where it has one already.
 void AddBenchRecord(const BenchRecord& record, nlohmann::ordered_json& json);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
@@ -74,6 +75,17 @@ void CsvTable::CheckColumnsKnown(const std::vector<std::string>& known) const {
     throw InputError(
         fmt::format("{}:{}: {}", file_.string(), header_line_, UnknownNameMessage("column", column, known)));
   }
+}
+
+Eigen::Isometry3d ReadPose(const CsvRow& row) {
+  const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
+  if (std::abs(q.norm() - 1) > 1e-3)
+    throw InputError(row.At("the quaternion has not unit length; normalise it"));
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = q.normalized().toRotationMatrix();
+  // Not by Eigen's comma initialiser: it must not be left half way, as by a number that cannot be read.
+  pose.translation() = Eigen::Vector3d(row.Number("tx"), row.Number("ty"), row.Number("tz"));
+  return pose;
 }
 
 }  // namespace armature

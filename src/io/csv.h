@@ -2,11 +2,13 @@
 // Reading comma-separated tables with a header line. Blank lines and '#' comments are skipped; no quoting.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "base/text.h"
+#include "io/csv.h"
 
 namespace armature {
 
@@ -53,5 +55,9 @@ class CsvTable {
   std::vector<std::string> header_;
   std::vector<CsvRow> rows_;
 };
+
+// From the columns tx ty tz (metres) and qx qy qz qw. Throws InputError when one is missing, is not a finite
+// number, or the quaternion's length is further than 1e-3 from 1.
+Eigen::Isometry3d ReadPose(const CsvRow& row);
 
 }  // namespace armature

@@ -6,12 +6,16 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
+
+constexpr int kJpegQuality = 95;
 
 // A complete JPEG has an end-of-image mark behind its last start of scan; the decoder fills what is missing
 // with grey.
@@ -63,6 +67,19 @@ cv::Mat Undistorted(const cv::Mat& image, const Camera& camera) {
   cv::Mat result;
   cv::undistort(image, result, K, camera.distortion);
   return result;
+}
+
+void CheckPictureName(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") return;
+  throw InputError(fmt::format("{}: is no name of a picture; let it end in .png or .jpg", file.string()));
+}
+
+void WritePicture(const std::filesystem::path& file, const cv::Mat& picture) {
+  CheckPictureName(file);
+  std::vector<unsigned char> bytes;
+  cv::imencode(file.extension().string(), picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  AtomicWrite(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace armature

@@ -11,6 +11,7 @@
 #include "base/checksum.h"
 #include "base/errors.h"
 #include "base/text.h"
+#include "category/category_lookup.h"
 #include "io/atomic_write.h"
 
 namespace armature {
@@ -172,10 +173,8 @@ InstanceLibrary ReadLibrary(const fs::path& file, const std::vector<CategoryMode
   const auto categories = reader.Take<std::uint64_t>();
   for (std::uint64_t i = 0; i < categories; ++i) {
     CategoryInstances instances = TakeCategory(reader);
-    const auto model = std::find_if(models.begin(), models.end(), [&](const CategoryModel& m) {
-      return m.spec.name == instances.category;
-    });
-    if (model == models.end()) continue;
+    const CategoryModel* model = FindModel(models, instances.category);
+    if (model == nullptr) continue;
     CheckModel(file, instances, *model);
     library.categories.push_back(std::move(instances));
   }

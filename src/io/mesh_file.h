@@ -22,8 +22,4 @@ TriangleMesh ReadBoxes(const std::filesystem::path& file, const std::string& id)
 // "FILE" as ReadMesh has it, "FILE#ID" as ReadBoxes has it.
 TriangleMesh ReadGeometry(const std::filesystem::path& file_and_id);
 
-// Binary PLY with the triangles' colours (PCL's writer), written aside and renamed. Throws std::runtime_error
-// when it cannot be written.
-void WritePly(const TriangleMesh& mesh, const std::filesystem::path& file);
-
 }  // namespace armature

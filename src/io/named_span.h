@@ -28,4 +28,11 @@ struct NamedSpan {
   std::string Key() const { return table + "/" + sequence + "/" + contender + "/" + stage; }
 };
 
+// How many times as long as another contender one takes for the same, paired by frame and repetition.
+struct NamedRatio {
+  std::string table, sequence;
+  std::string contender, reference;  // total of the contender over that of the reference
+  SpanStatistics ratio;
+};
+
 }  // namespace armature

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "base/errors.h"
@@ -22,37 +20,10 @@ void CheckRange(const OptionEntry& entry, double value, const std::string& where
                                low ? '<' : '>', low ? entry.min : entry.max, OptionDomain(entry)));
 }
 
-void CheckChoice(const OptionEntry& entry, const std::string& value, const std::string& where) {
-  const auto& choices = entry.choices;
-  if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end()) return;
-  throw InputError(fmt::format("{}: {}", where, UnknownNameMessage("value of " + entry.key, value, choices)));
-}
-
 bool ParseBoolean(const std::string& text, const std::string& where) {
   if (text == "true") return true;
   if (text == "false") return false;
   throw InputError(fmt::format("{}: {} is neither true nor false; write one of them", where, Quoted(text)));
-}
-
-bool IsPlainWord(const std::string& text) {
-  if (text.empty() || std::isalpha(static_cast<unsigned char>(text[0])) == 0) return false;
-  for (const char* reserved : {"null", "Null", "NULL"}) {
-    if (text == reserved) return false;
-  }
-  return std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == '/';
-  });
-}
-
-std::string YamlText(const std::string& text) {
-  if (IsPlainWord(text)) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    const auto byte = static_cast<unsigned char>(c);
-    quoted += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-  }
-  return quoted + "\"";
 }
 
 struct SetFromText {
@@ -72,9 +43,10 @@ struct SetFromText {
     *field = value;
   }
   void operator()(bool* field) const { *field = ParseBoolean(text, where); }
-  void operator()(std::string* field) const {
-    CheckChoice(entry, text, place);
-    *field = text;
+  void operator()(const EnumField& field) const {
+    if (field.set(field.field, text)) return;
+    throw InputError(
+        fmt::format("{}: {}", place, UnknownNameMessage("value of " + entry.key, text, field.names())));
   }
 };
 
@@ -88,14 +60,14 @@ struct CheckValue {
   }
   void operator()(const int* field) const { CheckRange(entry, *field, where); }
   void operator()(const bool*) const {}
-  void operator()(const std::string* field) const { CheckChoice(entry, *field, where); }
+  void operator()(const EnumField&) const {}
 };
 
 struct ValueText {
   std::string operator()(const double* field) const { return fmt::format("{}", *field); }  // shortest exact
   std::string operator()(const int* field) const { return fmt::format("{}", *field); }
   std::string operator()(const bool* field) const { return *field ? "true" : "false"; }
-  std::string operator()(const std::string* field) const { return YamlText(*field); }
+  std::string operator()(const EnumField& field) const { return field.name(field.field); }
 };
 
 }  // namespace
@@ -112,9 +84,8 @@ std::string OptionText(const OptionEntry& entry) { return std::visit(ValueText{}
 
 std::string OptionDomain(const OptionEntry& entry) {
   if (std::holds_alternative<bool*>(entry.field)) return "true|false";
-  if (std::holds_alternative<std::string*>(entry.field)) {
-    return entry.choices.empty() ? "text" : fmt::format("{}", fmt::join(entry.choices, "|"));
-  }
+  if (const auto* choice = std::get_if<EnumField>(&entry.field))
+    return fmt::format("{}", fmt::join(choice->names(), "|"));
   const bool has_min = std::isfinite(entry.min);
   const bool has_max = std::isfinite(entry.max);
   if (has_min && has_max) return fmt::format("{}..{}", entry.min, entry.max);

@@ -11,13 +11,13 @@ namespace armature {
 // Parses and checks the text, then sets the field. Throws InputError("`where`: ...").
 void SetOption(const OptionEntry& entry, const std::string& text, const std::string& where);
 
-// Checks range or choices of the field's value. Throws InputError("`where`: ...").
+// Checks the range of the field's value. Throws InputError("`where`: ...").
 void CheckOption(const OptionEntry& entry, const std::string& where);
 
 // The value as a YAML scalar from which SetOption restores it exactly.
 std::string OptionText(const OptionEntry& entry);
 
-// "0..90", ">= 0", "lsd|edlines", "true|false", "text"
+// "0..90", ">= 0", "lsd|edlines", "true|false"
 std::string OptionDomain(const OptionEntry& entry);
 
 }  // namespace armature

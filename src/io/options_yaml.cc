@@ -91,19 +91,4 @@ std::string EffectiveYaml(const std::vector<OptionEntry>& entries) {
   return yaml;
 }
 
-std::string HelpText(const std::vector<OptionEntry>& entries) {
-  size_t key_width = 0;
-  size_t value_width = 0;
-  for (const OptionEntry& entry : entries) {
-    key_width = std::max(key_width, entry.key.size());
-    value_width = std::max(value_width, OptionText(entry).size());
-  }
-  std::string text;
-  for (const OptionEntry& entry : entries) {
-    text += fmt::format("  {:<{}}  {:<{}}  {} [{}]\n", entry.key, key_width, OptionText(entry), value_width,
-                        entry.help, OptionDomain(entry));
-  }
-  return text;
-}
-
 }  // namespace armature

@@ -13,7 +13,7 @@ namespace armature {
 
 // Sets the options that the file names; the file is nested maps ("association: {detector: lsd}") and may be
 // partial. Throws InputError naming file and line for an unknown key (and the nearest known one), a value of
-// another type, a number out of its range (both values are printed) or a text that is not among the choices.
+// another type, a number out of its range (both values are printed) or a name that is none of the value's.
 // Options before the bad one remain set.
 void ApplyYaml(const std::filesystem::path& file, const std::vector<OptionEntry>& entries);
 
@@ -26,8 +26,5 @@ void CheckOptions(const std::vector<OptionEntry>& entries);
 // All options with their values as nested YAML, in the order of the table. ApplyYaml of it restores the same
 // values exactly.
 std::string EffectiveYaml(const std::vector<OptionEntry>& entries);
-
-// A line an option: key, value, range or choices, help.
-std::string HelpText(const std::vector<OptionEntry>& entries);
 
 }  // namespace armature

@@ -7,7 +7,6 @@
 
 #include "base/errors.h"
 #include "io/csv.h"
-#include "io/csv_pose.h"
 
 namespace armature {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "base/interrupt.h"
+#include "category/category_lookup.h"
 #include "io/image.h"
 #include "io/options_yaml.h"
 #include "io/placed_objects.h"
@@ -24,11 +25,10 @@ namespace fs = std::filesystem;
 
 constexpr double kSameStamp = 1e-3;  // seconds
 
-const CategoryModel& LookUpModel(const std::string& category, const std::vector<CategoryModel>& models,
-                                 const fs::path& file) {
-  for (const CategoryModel& model : models) {
-    if (model.spec.name == category) return model;
-  }
+const CategoryModel& LookUpModelFor(const std::vector<CategoryModel>& models, const std::string& category,
+                                    const fs::path& file) {
+  const CategoryModel* model = FindModel(models, category);
+  if (model != nullptr) return *model;
   throw InputError(fmt::format("{}: category '{}' has no model; name the run's models with --categories",
                                file.string(), category));
 }
@@ -38,7 +38,7 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
   const std::map<std::string, StoredEvidence> evidence = ReadShapeEvidence(run / "shape_evidence.csv");
   std::vector<MapObject> objects;
   for (const PlacedObject& placed : ReadPlacedObjects(file)) {
-    const CategoryModel& model = LookUpModel(placed.category, models, file);
+    const CategoryModel& model = LookUpModelFor(models, placed.category, file);
     const auto of_shape = evidence.find(placed.id);
     if (static_cast<int>(placed.shape.size()) != model.modes() || of_shape == evidence.end() ||
         of_shape->second.evidence.vector.size() != model.modes() ||
@@ -76,7 +76,10 @@ size_t ImageAt(double timestamp, const Sequence& sequence) {
 
 Map ReadRunMap(const RunResults& run, const std::vector<CategoryModel>& models) {
   Map map;
+  for (const CategoryModel& model : models)
+    map.models.push_back(std::make_shared<const CategoryModel>(model));
   map.objects = ReadObjects(run.folder, models);
+  for (MapObject& object : map.objects) object.model = &LookUpModel(map.models, object.model->spec.name);
   if (map.objects.empty()) return map;
   for (const TimedPose& camera : ReadTumTrajectory(run.folder / "trajectory.txt")) {
     map.timestamps.push_back(camera.timestamp);
@@ -122,7 +125,7 @@ ViewsOfCameras MakeViews(const Map& map, const std::vector<size_t>& cameras, con
     const Eigen::Vector3d up_camera = map.T_world_camera[camera].linear().transpose() * up_world;
     for (const Detection& detection : sequence.detections[image]) {
       views[camera].push_back(MakeView(detection, segments, up_camera, sequence.camera,
-                                       LookUpModel(detection.category, models, sequence.folder), options));
+                                       LookUpModelFor(models, detection.category, sequence.folder), options));
     }
   }
   return views;

@@ -15,7 +15,7 @@
 
 namespace armature {
 
-// With trajectory.txt, objects.csv and shape_evidence.csv of its folder. Objects point into `models`. A run
+// With trajectory.txt, objects.csv and shape_evidence.csv of its folder. A run
 // without map gives one without cameras. Throws InputError: a missing or malformed file, a category without
 // model, a shape of more coefficients than its category's model has.
 Map ReadRunMap(const RunResults& run, const std::vector<CategoryModel>& models);

@@ -10,7 +10,6 @@
 #include "base/microseconds.h"
 #include "base/text.h"
 #include "io/csv.h"
-#include "io/csv_pose.h"
 #include "io/run_folder.h"
 #include "io/trajectory.h"
 

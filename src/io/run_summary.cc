@@ -113,4 +113,10 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+void StageStatistics::Add(const StageTimes& times) {
+  const std::array<double, 6> values{times.load,         times.lines,   times.association,
+                                     times.optimization, times.mapping, times.total()};
+  for (size_t i = 0; i < values.size(); ++i) stages_[i].milliseconds.push_back(values[i]);
+}
+
 }  // namespace armature

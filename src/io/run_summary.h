@@ -7,11 +7,32 @@
 #include <string>
 #include <vector>
 
-#include "io/stage_statistics.h"
 #include "odometry/odometry.h"
+#include "pipeline/frame_result.h"
 #include "resection/object_estimate.h"
 
 namespace armature {
+
+// Keeps a number a stage and frame.
+class StageStatistics {
+ public:
+  struct Stage {
+    std::string name;
+    std::vector<double> milliseconds;  // a value a frame
+  };
+
+  void Add(const StageTimes& times);
+  // load, lines, association, optimization, mapping, total (without load)
+  const std::array<Stage, 6>& stages() const { return stages_; }
+
+ private:
+  std::array<Stage, 6> stages_{{{"load", {}},
+                                {"lines", {}},
+                                {"association", {}},
+                                {"optimization", {}},
+                                {"mapping", {}},
+                                {"total", {}}}};
+};
 
 // Every status, in the order of the enumeration.
 inline constexpr std::array kAllStatuses{EstimateStatus::kOk, EstimateStatus::kTooFewEdges,

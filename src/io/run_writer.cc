@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/number_format.h"
+#include "category/category_lookup.h"
 #include "io/shape_evidence_csv.h"
 
 namespace armature {
@@ -63,13 +64,6 @@ std::string ObjectsText(const std::vector<MapObject>& objects) {
                         Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
   }
   return text;
-}
-
-const CategorySpec& FindSpec(const std::vector<CategoryModel>& models, const std::string& category) {
-  for (const CategoryModel& model : models) {
-    if (model.spec.name == category) return model.spec;
-  }
-  throw std::logic_error("the run writer knows no category " + category);
 }
 
 }  // namespace
@@ -138,7 +132,7 @@ void RunWriter::WriteObservations() {
 }
 
 void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectObservation& observation) {
-  const CategorySpec& spec = FindSpec(models_, observation.detection.category);
+  const CategorySpec& spec = LookUpModel(models_, observation.detection.category).spec;
   for (const EdgeMatch& match : observation.estimate.matches) {
     const Segment& segment = match.segment;
     associations_ << fmt::format("{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index,

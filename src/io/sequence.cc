@@ -7,10 +7,94 @@
 
 #include "base/console.h"
 #include "base/errors.h"
-#include "io/trajectory_formats.h"
+#include "base/text.h"
+#include "io/trajectory.h"
+#include "io/yaml_support.h"
 
 namespace armature {
 namespace {
+
+int PositiveInteger(const YamlMap& map, const std::string& key) {
+  const int value = map.Integer(key);
+  if (value <= 0) throw InputError(map.At(key, fmt::format("is {}; it has to be greater than 0", value)));
+  return value;
+}
+
+double PositiveNumber(const YamlMap& map, const std::string& key) {
+  const double value = map.Number(key);
+  if (value <= 0) throw InputError(map.At(key, fmt::format("is {}; it has to be greater than 0", value)));
+  return value;
+}
+
+void ReadDistortion(const YamlMap& map, Camera* camera) {
+  if (!map.Has("distortion")) return;
+  const std::vector<double> values = map.Numbers("distortion");
+  if (values.size() != camera->distortion.size()) {
+    throw InputError(
+        map.At("distortion", fmt::format("has {} values; write the five [k1, k2, p1, p2, k3], 0 where "
+                                         "there is none",
+                                         values.size())));
+  }
+  std::copy(values.begin(), values.end(), camera->distortion.begin());
+}
+
+Camera ReadCamera(const YamlMap& map) {
+  map.CheckKeys({"model", "width", "height", "fx", "fy", "cx", "cy", "distortion"});
+  if (map.Has("model") && map.Text("model") != "pinhole") {
+    throw InputError(
+        map.At("model", fmt::format("is {}; only 'pinhole' is known, undistort other images first",
+                                    Quoted(map.Text("model")))));
+  }
+  Camera camera;
+  camera.width = PositiveInteger(map, "width");
+  camera.height = PositiveInteger(map, "height");
+  camera.fx = PositiveNumber(map, "fx");
+  camera.fy = PositiveNumber(map, "fy");
+  camera.cx = map.Number("cx");
+  camera.cy = map.Number("cy");
+  ReadDistortion(map, &camera);
+  return camera;
+}
+
+std::string ReadName(const YamlMap& map) {
+  std::string name = map.Text("name");
+  const bool is_plain = !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+  if (!is_plain) {
+    throw InputError(
+        map.At("name", fmt::format("is {}; it names a folder, so write a plain word", Quoted(name))));
+  }
+  return name;
+}
+
+Eigen::Vector3d ReadUp(const YamlMap& map) {
+  const std::vector<double> values = map.Numbers("up");
+  if (values.size() != 3) {
+    throw InputError(map.At("up", fmt::format("has {} values; write the three [x, y, z]", values.size())));
+  }
+  const Eigen::Vector3d up(values[0], values[1], values[2]);
+  if (up.norm() < 1e-6) throw InputError(map.At("up", "has no length; write a direction such as [0, -1, 0]"));
+  return up.normalized();
+}
+
+// A line of rgb.txt: `timestamp filename`.
+ImageEntry ParseEntry(const TextLine& line, const std::filesystem::path& folder, const std::string& where) {
+  const size_t blank = line.text.find_first_of(" \t");
+  if (blank == std::string::npos) {
+    throw InputError(fmt::format("{}: {} is not 'timestamp filename'; write both", where, Quoted(line.text)));
+  }
+  ImageEntry entry;
+  entry.timestamp = ParseNumber(line.text.substr(0, blank), where);
+  entry.file = folder / Trimmed(line.text.substr(blank));
+  entry.line = line.number;
+  return entry;
+}
+
+void CheckExists(const ImageEntry& entry, const std::string& where) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(entry.file, ignored)) return;
+  throw InputError(fmt::format("{}: image {} does not exist; add the file or remove the line", where,
+                               Quoted(entry.file.string())));
+}
 
 void CheckFolder(const std::filesystem::path& folder) {
   std::error_code ignored;
@@ -65,6 +149,38 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
 
 std::string NameDraw(const std::string& scene, int draw) {
   return draw == 1 ? scene : fmt::format("{}-draw{}", scene, draw);
+}
+
+std::vector<ImageEntry> ReadImageList(const std::filesystem::path& file) {
+  std::vector<ImageEntry> images;
+  for (const TextLine& line : ReadTextLines(file)) {
+    const std::string where = fmt::format("{}:{}", file.string(), line.number);
+    const ImageEntry entry = ParseEntry(line, file.parent_path(), where);
+    CheckExists(entry, where);
+    if (!images.empty() && entry.timestamp - images.back().timestamp <= kStampTolerance) {
+      throw InputError(
+          fmt::format("{}: stamp {:.6f} does not follow {:.6f} of line {} by more than 1 ms; sort the "
+                      "images, one a stamp",
+                      where, entry.timestamp, images.back().timestamp, images.back().line));
+    }
+    images.push_back(entry);
+  }
+  if (images.empty()) {
+    throw InputError(fmt::format("{}: lists no image; write lines 'timestamp filename'", file.string()));
+  }
+  return images;
+}
+
+SequenceSettings ReadSequenceSettings(const std::filesystem::path& file) {
+  const YamlMap map = YamlMap::Load(file);
+  map.CheckKeys({"name", "fps", "camera", "up", "odometry_metric"});
+  SequenceSettings settings;
+  settings.name = ReadName(map);
+  settings.fps = PositiveNumber(map, "fps");
+  settings.camera = ReadCamera(map.Map("camera"));
+  if (map.Has("up")) settings.up = ReadUp(map);
+  if (map.Has("odometry_metric")) settings.odometry_metric = map.Boolean("odometry_metric");
+  return settings;
 }
 
 }  // namespace armature

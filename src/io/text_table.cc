@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -213,6 +214,11 @@ Cell CountCell(long count) { return {fmt::format("{}", count), true}; }
 
 Cell PercentCell(double part, double whole) {
   return whole > 0 ? NumberCell(100 * part / whole, 1) : NoCell();
+}
+
+Cell ShareCell(std::optional<double> share, long whole) {
+  const double n = static_cast<double>(whole);
+  return share ? PercentCell(std::round(*share * n), n) : NoCell();
 }
 
 Cell NoCell() { return {}; }

@@ -19,7 +19,9 @@ Cell TextCell(std::string text);
 Cell NumberCell(std::optional<double> value, int digits);
 Cell CountCell(long count);
 Cell PercentCell(double part, double whole);  // one digit after the point; nothing for a part of nothing
-Cell NoCell();                                // nothing was measured
+// The same of a share of so many, 0..1: rounded as its count would be.
+Cell ShareCell(std::optional<double> share, long whole);
+Cell NoCell();  // nothing was measured
 
 struct Table {
   std::string title;

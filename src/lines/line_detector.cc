@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <utility>
 
 #include "lines/detectors.h"
 
@@ -12,14 +11,6 @@ namespace armature {
 namespace {
 
 constexpr int kSmallestSide = 16;  // pixels: in smaller regions OpenCV's detectors throw
-
-using Maker = std::unique_ptr<LineDetector> (*)(const LineOptions& options);
-
-const std::vector<std::pair<std::string, Maker>>& Makers() {
-  static const std::vector<std::pair<std::string, Maker>> makers = {
-      {"edgedrawing", MakeEdgeDrawing}, {"edlines", MakeEdLines}, {"fld", MakeFld}, {"lsd", MakeLsd}};
-  return makers;
-}
 
 // Whole-pixel rectangles that hold all grown boxes; those that overlap are merged so that no pixel is
 // searched twice.
@@ -49,18 +40,16 @@ std::vector<cv::Rect> SearchRegions(const std::vector<Box>& boxes, const cv::Siz
 
 }  // namespace
 
-const std::vector<std::string>& LineDetectorNames() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
-    for (const auto& [name, maker] : Makers()) result.push_back(name);
-    return result;
-  }();
-  return names;
-}
-
 std::unique_ptr<LineDetector> MakeLineDetector(const LineOptions& options) {
-  for (const auto& [name, maker] : Makers()) {
-    if (name == options.detector) return maker(options);
+  switch (options.detector) {
+    case LineDetectorKind::kEdgeDrawing:
+      return MakeEdgeDrawing(options);
+    case LineDetectorKind::kEdLines:
+      return MakeEdLines(options);
+    case LineDetectorKind::kFld:
+      return MakeFld(options);
+    case LineDetectorKind::kLsd:
+      return MakeLsd(options);
   }
   std::abort();
 }

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line segment detectors, chosen by name. One pass over an image serves all of its objects.
+// Line segment detectors. One pass over an image serves all of its objects.
 #pragma once
 
 #include <memory>
 #include <opencv2/core.hpp>
-#include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "geometry/box.h"
 #include "geometry/camera.h"
 #include "geometry/segment.h"
 
 namespace armature {
 
+enum class LineDetectorKind { kEdgeDrawing, kEdLines, kFld, kLsd };
+
+template <>
+struct EnumNames<LineDetectorKind> {
+  static constexpr NamedValue<LineDetectorKind> kTable[] = {{LineDetectorKind::kEdgeDrawing, "edgedrawing"},
+                                                            {LineDetectorKind::kEdLines, "edlines"},
+                                                            {LineDetectorKind::kFld, "fld"},
+                                                            {LineDetectorKind::kLsd, "lsd"}};
+};
+
 struct LineOptions {
-  std::string detector = "edgedrawing";  // one of LineDetectorNames()
+  LineDetectorKind detector = LineDetectorKind::kEdgeDrawing;
   bool published = false;          // the detector's published parameters instead of those tuned for recall
   double edgedrawing_scale = 0.7;  // of the image that the tuned edgedrawing looks at, 1: as it is
   double min_length = 10;          // pixels, shorter segments are dropped
@@ -31,10 +41,6 @@ class LineDetector {
   virtual std::vector<Segment> Detect(const cv::Mat& gray) = 0;
 };
 
-// "edgedrawing", "edlines", "fld", "lsd"
-const std::vector<std::string>& LineDetectorNames();
-
-// Aborts on an unknown name: names are checked where options are read.
 std::unique_ptr<LineDetector> MakeLineDetector(const LineOptions& options);
 
 // Detects in the whole image, or in the bounding rectangles of overlapping grown boxes, drops short segments

@@ -12,6 +12,15 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a.
+constexpr double kFirstBoxLossScale = 30;  // standard deviations: a side far off draws, at first
+constexpr int kLeastMatchedEdges = 2;      // fewer say nothing
+constexpr FactorNoise kRefinementNoise{.measurement_scale = 2.5,
+                                       .depth_sigma = 0.005,
+                                       .lateral_sigma = 0.005,
+                                       .rotation_sigma_deg = 1,
+                                       .shape_sigma = 0.2};
+
 // From `first` in the first round to `last` in the last, geometrically.
 double Annealed(double first, double last, int round, const RefinementOptions& options) {
   const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
@@ -54,7 +63,7 @@ std::vector<ImageFace> Occluders(const std::vector<std::vector<ImageFace>>& face
 // image's border does not cut and beyond which it does not go on.
 BoxSides SidesSeen(const ObjectView& view, const SeenObject& object, const BoxOptions& options) {
   const Box& box = view.detection.box;
-  BoxSides sides = SidesAtImageBorder(box, *view.camera, options.cut_tolerance);
+  BoxSides sides = SidesAtImageBorder(box, *view.camera);
   ProjectedWireframe projected;
   ProjectEdges(*view.camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5},
                projected);
@@ -71,17 +80,16 @@ BoxSides SidesSeen(const ObjectView& view, const SeenObject& object, const BoxOp
 
 std::optional<ObjectFactor> MakeFactor(const MapObservation& observation, const SeenObject& object,
                                        const std::vector<ImageFace>& occluders, const MatchGate& gate,
-                                       const BoxOptions& box, const ResectionOptions& resection,
-                                       const RefinementOptions& options) {
+                                       const BoxOptions& box, const ResectionOptions& resection) {
   const ObjectView& view = observation.view;
   const BoxSides sides = SidesSeen(view, object, box);
   ProjectedWireframe projected;
   ProjectWireframe(*view.camera, view.model->spec, object.wireframe, object.at.T_camera_object,
                    ClipBox(view.detection.box, sides, *view.camera), occluders, projected);
   const std::vector<EdgeMatch> matches = MatchSegments(projected, view.segments, gate).matches;
-  if (MatchedEdges(matches) < options.min_edges) return std::nullopt;
-  const ImageEvidence evidence = EvidenceAt(view, sides, matches, projected, object.at, box, resection);
-  return MakeObjectFactor(evidence, object.at, 0, options.noise);
+  if (MatchedEdges(matches) < kLeastMatchedEdges) return std::nullopt;
+  const ImageEvidence evidence = EvidenceAt({view, sides, matches, projected, object.at, box, resection});
+  return MakeObjectFactor(evidence, object.at, 0, kRefinementNoise);
 }
 
 }  // namespace
@@ -91,10 +99,10 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
                  MapGraph& graph) {
   graph.observations.clear();
   const double pixels = Annealed(options.first_gate_pixels, options.last_gate_pixels, round, options);
-  const MatchGate gate{pixels, options.gate_angle_deg * kDegree};
+  const MatchGate gate{pixels, kRefinementAngleDeg * kDegree};
   ResectionOptions resection = given;
   resection.segment_sigma *= pixels / options.last_gate_pixels;
-  resection.box_loss_scale = Annealed(options.first_box_loss_scale, given.box_loss_scale, round, options);
+  resection.box_loss_scale = Annealed(kFirstBoxLossScale, given.box_loss_scale, round, options);
   for (size_t i = 0; i < frames.size(); ++i) {
     if (frames[i].observations.empty()) continue;
     std::vector<SeenObject> seen;
@@ -104,9 +112,8 @@ void Relinearise(const std::vector<MapFrame>& frames, const ObjectOfObservation&
       if (phi[i][j] < 0) continue;
       const auto object = static_cast<size_t>(phi[i][j]);
       const MapObservation& observation = frames[i].observations[j];
-      std::optional<ObjectFactor> factor =
-          MakeFactor(observation, seen[object], Occluders(faces, object, observation.view), gate, box,
-                     resection, options);
+      std::optional<ObjectFactor> factor = MakeFactor(
+          observation, seen[object], Occluders(faces, object, observation.view), gate, box, resection);
       if (!factor) continue;
       factor->camera = static_cast<int>(i);
       factor->object = phi[i][j];

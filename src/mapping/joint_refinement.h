@@ -18,19 +18,13 @@ namespace armature {
 // Rounds go from coarse to fine: first a wide gate and a flat loss, so that the boxes draw a wireframe that
 // lies on a table's seam to the table's edge, then the lines decide.
 struct RefinementOptions {
-  int rounds = 10;                   // 0: none
-  int iterations = 1;                // of the solver in each round
-  double first_gate_pixels = 16;     // distance gate of the first round's matches; their sigma goes with it
-  double last_gate_pixels = 4;       // and of the last's
-  double first_box_loss_scale = 30;  // standard deviations: a side far off draws, at first
-  double gate_angle_deg = 6;         // degrees
-  int min_edges = 2;                 // matched edges, fewer say nothing
-  FactorNoise noise{.measurement_scale = 2.5,
-                    .depth_sigma = 0.005,
-                    .lateral_sigma = 0.005,
-                    .rotation_sigma_deg = 1,
-                    .shape_sigma = 0.2};
+  int rounds = 10;                // 0: none
+  double first_gate_pixels = 16;  // distance gate of the first round's matches; their sigma goes with it
+  double last_gate_pixels = 4;    // and of the last's
 };
+
+inline constexpr int kRefinementSteps = 1;        // of the solver in each round: matches change anyway
+inline constexpr double kRefinementAngleDeg = 6;  // angle gate, degrees
 
 // Replaces graph.observations: a factor for each observation that phi gives an object and that has matches
 // within the gate of this round.

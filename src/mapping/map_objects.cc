@@ -11,7 +11,9 @@
 namespace armature {
 namespace {
 
-constexpr double kFlipped = 50 * kDegree;  // views turned by more than this do not see the same front
+constexpr double kKnotSeconds = 2;             // between the knots of the odometry's scale
+constexpr double kLeastUpSigma = 1 * kDegree;  // up as the front end has it is never surer
+constexpr double kFlipped = 50 * kDegree;      // views turned by more than this do not see the same front
 
 struct PlacedView {
   int camera = 0;
@@ -44,12 +46,12 @@ const PlacedView& Medoid(const std::vector<PlacedView>& views) {
   return views[medoid];
 }
 
-ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object, const FactorNoise& noise) {
+ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object) {
   const double yaw = YawBetween(object.T_world_object, view.T_world_object);
   const double turned = AzimuthDifference(yaw, 0, object.model->spec.symmetry_order);
   ObjectFactor factor =
-      MakeObjectFactor(view.observation->evidence, view.observation->measured, turned - yaw, noise);
-  if (std::abs(turned) > kFlipped) ForgetRotation(factor);
+      MakeObjectFactor(view.observation->evidence, view.observation->measured, turned - yaw, FactorNoise{});
+  if (std::abs(turned) > kFlipped) MarginalizeRotation(factor);
   factor.camera = view.camera;
   return factor;
 }
@@ -62,14 +64,14 @@ double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T
 }
 
 MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
-                           const StepNoise& noise, double knot_seconds, double up_sigma_deg) {
+                           const StepNoise& noise) {
   MapGraph graph;
   graph.expected_scale = expected_scale;
   graph.scale_is_held = expected_scale.sigma <= 0;
   const double scale = expected_scale.scale;
   const double start = frames.front().timestamp;
   const double seconds = frames.back().timestamp - start;
-  const int knots = 2 + static_cast<int>(seconds / knot_seconds);
+  const int knots = 2 + static_cast<int>(seconds / kKnotSeconds);
   graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
   for (size_t i = 0; i < frames.size(); ++i) {
     Eigen::Isometry3d pose = frames[i].T_odom_camera;
@@ -83,14 +85,14 @@ MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstim
     step.rotation_sigma = noise.rotation_sigma_deg * kDegree;
     step.translation_sigma =
         noise.translation_sigma * scale * step.T_from_to.translation().norm() + noise.translation_floor;
-    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / knot_seconds;
+    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / kKnotSeconds;
     step.knot = std::clamp(static_cast<int>(at), 0, knots - 2);
     step.share = at - step.knot;
     graph.odometry.push_back(step);
   }
   const MapFrame& last = frames.back();  // what it knows of up, all frames before have told
   graph.up_world = last.T_odom_camera.linear() * last.up_camera;
-  graph.up_sigma = std::max(last.up_sigma, up_sigma_deg * kDegree);
+  graph.up_sigma = std::max(last.up_sigma, kLeastUpSigma);
   return graph;
 }
 
@@ -128,8 +130,7 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
   return phi;
 }
 
-void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise,
-                MapGraph& graph) {
+void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph) {
   std::map<int, std::vector<PlacedView>> views;
   for (size_t i = 0; i < frames.size(); ++i) {
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
@@ -144,7 +145,7 @@ void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& 
     graph.objects.push_back(
         {medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
     for (const PlacedView& view : of_object) {
-      graph.observations.push_back(MakeViewFactor(view, graph.objects.back(), noise));
+      graph.observations.push_back(MakeViewFactor(view, graph.objects.back()));
       graph.observations.back().object = number;
     }
   }

@@ -17,7 +17,7 @@ struct StepNoise {
 
 // Cameras, odometry factors, scale (held where its sigma is 0) and up; no objects.
 MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale,
-                           const StepNoise& noise, double knot_seconds, double up_sigma_deg);
+                           const StepNoise& noise);
 
 // The front end's tracks, broken where they were not seen for longer than `recent_seconds`, numbered from 0
 // in the order of their first observation. Pieces of fewer than `min_observations` are left out (-1).
@@ -26,8 +26,7 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
 
 // Adds the objects of phi to the graph, each where most of its single views agree, and their observations.
 // Views that see the front where most see the back say nothing of the turn.
-void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, const FactorNoise& noise,
-                MapGraph& graph);
+void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph);
 
 // How far b is turned about its y axis against a, radians.
 double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b);

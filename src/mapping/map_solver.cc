@@ -21,6 +21,9 @@
 namespace armature {
 namespace {
 
+// Of the scale's logarithm: what the front end has learnt is never surer, its views' errors are alike.
+constexpr double kLeastExpectedSigma = 0.1;
+
 // The mean height along up of what the objects stand on, metres.
 double FloorBelow(const MapGraph& graph) {
   double sum = 0, count = 0;
@@ -71,7 +74,7 @@ void AddOdometry(const MapGraph& graph, const MapSolverOptions& options, Blocks&
   }
   for (size_t k = 0; k < blocks.log_scale.size(); ++k) {
     // Together, the knots' priors weigh as one.
-    const double sigma = std::max(graph.expected_scale.sigma, options.min_scale_sigma) *
+    const double sigma = std::max(graph.expected_scale.sigma, kLeastExpectedSigma) *
                          std::sqrt(static_cast<double>(blocks.log_scale.size()));
     const Eigen::Matrix<double, 1, 1> weight(1 / sigma), mean(std::log(graph.expected_scale.scale));
     problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), nullptr, &blocks.log_scale[k]);
@@ -128,7 +131,7 @@ void Store(const Blocks& blocks, MapGraph& graph) {
   graph.up_world = blocks.up;
 }
 
-ceres::Solver::Options SolverOptions(const MapSolverOptions& options) {
+ceres::Solver::Options MakeSolverOptions(const MapSolverOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = 2 * options.max_iterations + 10;
@@ -194,7 +197,7 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   AddFactors(graph, options, blocks, problem);
   ceres::Solver::Summary summary;
   StopAfterSteps stop(options.max_iterations);
-  ceres::Solver::Options solver = SolverOptions(options);
+  ceres::Solver::Options solver = MakeSolverOptions(options);
   solver.callbacks.push_back(&stop);
   const OneThread one_thread;
   ceres::Solve(solver, &problem, &summary);

@@ -14,8 +14,7 @@ struct MapSolverOptions {
   double shape_weight = 1.5;     // multiplies the coefficients in the category's shape prior
   double upright_sigma_deg = 1;  // degrees: of an object's y axis about up; 0: no such factor
   double floor_sigma = 0.02;     // metres: of the floor below an object that stands on it; 0: none
-  double min_scale_sigma = 0.1;  // of the scale's logarithm: its expected value is never surer
-  double scale_drift_sigma = 0.02;  // of its change from knot to knot
+  double scale_drift_sigma = 0.02;  // of the scale's logarithm from knot to knot
 };
 
 struct MapSolution {

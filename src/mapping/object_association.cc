@@ -18,11 +18,15 @@
 namespace armature {
 namespace {
 
+// Intersections over union: two things cannot be in one place, so objects whose boxes overlap more are one;
+// and what a detection's box and an object's projection have to have in common.
+constexpr double kSamePlace = 0.3, kSeenOverlap = 0.3;
+constexpr int kTogether = 2;          // frames that may show both of two objects that are one
 constexpr size_t kAskedFactors = 25;  // of an object, when another is compared with it
-constexpr size_t kRivals = 5;         // joins of which only one can be, handed back at most
+constexpr size_t kRivals = 5;         // merges of which only one can be, handed back at most
 
-struct Candidate {
-  Join join;
+struct MergeCandidate {
+  Merge merge;
   double score = 0;  // squared Mahalanobis distance per row
 };
 
@@ -109,7 +113,7 @@ double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, doub
   for (size_t k = 0; k < b.factors.size(); k += step) {
     ObjectFactor factor = *b.factors[k];
     if (turn != 0) Turn(turn, factor);
-    if (flipped) ForgetRotation(factor);
+    if (flipped) MarginalizeRotation(factor);
     const Eigen::Isometry3d T_camera_a =
         graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * a.T_world_object;
     const Eigen::VectorXd residual = Residual(WithDrift(factor, drift), {T_camera_a, a.coefficients});
@@ -136,47 +140,48 @@ std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<M
 }
 
 // How well the views of `joined` agree that it is `kept`; `way`: metres between them.
-Candidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen& seen, double way,
-                  const ObjectAssociationOptions& options) {
+MergeCandidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen& seen, double way,
+                       const ObjectAssociationOptions& options) {
   const GraphObject &a = graph.objects[kept], &b = graph.objects[joined];
   const double yaw = YawBetween(a.T_world_object, b.T_world_object);
   const double turned = AzimuthDifference(yaw, 0, a.model->spec.symmetry_order);
-  const Join join{static_cast<int>(kept), static_cast<int>(joined), turned - yaw,
-                  std::abs(turned) > 0.5 * M_PI};
+  const Merge merge{static_cast<int>(kept), static_cast<int>(joined), turned - yaw,
+                    std::abs(turned) > 0.5 * M_PI};
   const DriftNoise drift{options.drift * way, options.turn_drift_deg * kDegree * way};
-  const double distance = Distance(graph, a, seen, join.turn, join.flipped, drift);
-  const bool overlap = IntersectionOverUnion(MakeBox(a), MakeBox(b)) > options.overlap;
-  return {join, overlap ? std::min(distance, options.gate) : distance};
+  const double distance = Distance(graph, a, seen, merge.turn, merge.flipped, drift);
+  const bool overlap = IntersectionOverUnion(MakeBox(a), MakeBox(b)) > kSamePlace;
+  return {merge, overlap ? std::min(distance, options.gate) : distance};
 }
 
 // All pairs of objects that may be one, the best first; those whose fronts disagree last.
-std::vector<Candidate> Candidates(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                  std::optional<double> seconds_between,
-                                  const ObjectAssociationOptions& options) {
+std::vector<MergeCandidate> FindCandidates(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                                           std::optional<double> seconds_between,
+                                           const ObjectAssociationOptions& options) {
   const std::vector<Seen> seen = CollectSeen(graph);
   const Eigen::MatrixXd ways = WaysBetween(seen, Travelled(graph));
   const std::vector<double> stamps = CollectStamps(frames);
-  std::vector<Candidate> candidates;
+  std::vector<MergeCandidate> candidates;
   for (size_t a = 0; a < seen.size(); ++a) {
     for (size_t b = 0; b < seen.size(); ++b) {
       const bool more = seen[a].factors.size() > seen[b].factors.size() ||
                         (seen[a].factors.size() == seen[b].factors.size() && a < b);
       if (a == b || graph.objects[a].model != graph.objects[b].model || !more) continue;
-      if (Together(seen[a], seen[b]) > options.together) continue;
+      if (Together(seen[a], seen[b]) > kTogether) continue;
       if (seconds_between && LeastBetween(seen[a], seen[b], stamps) > *seconds_between) continue;
       const double way = ways(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
-      const Candidate candidate = Compare(graph, a, b, seen[b], way, options);
+      const MergeCandidate candidate = Compare(graph, a, b, seen[b], way, options);
       if (candidate.score <= options.gate) candidates.push_back(candidate);
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::pair(a.join.flipped, a.score) < std::pair(b.join.flipped, b.score);
-  });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const MergeCandidate& a, const MergeCandidate& b) {
+                     return std::pair(a.merge.flipped, a.score) < std::pair(b.merge.flipped, b.score);
+                   });
   return candidates;
 }
 
-// The objects of two joins that have exactly one object in common: the two that are not common to them.
-std::optional<std::pair<int, int>> Others(const Join& a, const Join& b) {
+// The objects of two merges that have exactly one object in common: the two that are not common to them.
+std::optional<std::pair<int, int>> Others(const Merge& a, const Merge& b) {
   if (a.kept == b.kept && a.joined != b.joined) return std::pair(a.joined, b.joined);
   if (a.joined == b.joined && a.kept != b.kept) return std::pair(a.kept, b.kept);
   if (a.kept == b.joined && a.joined != b.kept) return std::pair(a.joined, b.kept);
@@ -184,29 +189,31 @@ std::optional<std::pair<int, int>> Others(const Join& a, const Join& b) {
   return std::nullopt;
 }
 
-// Itself first, then the joins that cannot be if it is: those that take one of its objects for a third one
+// Itself first, then the merges that cannot be if it is: those that take one of its objects for a third one
 // which cannot be the same as its other. What would have to be flipped is no rival of what need not.
-std::vector<Join> FindRivals(const Candidate& candidate, const std::vector<Candidate>& candidates) {
-  std::vector<Join> rivals{candidate.join};
-  for (const Candidate& rival : candidates) {
-    const auto others = Others(candidate.join, rival.join);
-    if (!others || (rival.join.flipped && !candidate.join.flipped)) continue;
-    const bool may_be_one = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-      return std::minmax(c.join.kept, c.join.joined) == std::minmax(others->first, others->second);
+std::vector<Merge> FindRivals(const MergeCandidate& candidate,
+                              const std::vector<MergeCandidate>& candidates) {
+  std::vector<Merge> rivals{candidate.merge};
+  for (const MergeCandidate& rival : candidates) {
+    const auto others = Others(candidate.merge, rival.merge);
+    if (!others || (rival.merge.flipped && !candidate.merge.flipped)) continue;
+    const bool may_be_one = std::any_of(candidates.begin(), candidates.end(), [&](const MergeCandidate& c) {
+      return std::minmax(c.merge.kept, c.merge.joined) == std::minmax(others->first, others->second);
     });
-    if (!may_be_one) rivals.push_back(rival.join);
+    if (!may_be_one) rivals.push_back(rival.merge);
   }
   return rivals;
 }
 
 }  // namespace
 
-std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                            std::optional<double> seconds_between, const ObjectAssociationOptions& options) {
-  const std::vector<Candidate> candidates = Candidates(graph, frames, seconds_between, options);
-  std::vector<Join> first;
-  for (const Candidate& candidate : candidates) {
-    std::vector<Join> rivals = FindRivals(candidate, candidates);
+std::vector<Merge> FindMerges(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                              std::optional<double> seconds_between,
+                              const ObjectAssociationOptions& options) {
+  const std::vector<MergeCandidate> candidates = FindCandidates(graph, frames, seconds_between, options);
+  std::vector<Merge> first;
+  for (const MergeCandidate& candidate : candidates) {
+    std::vector<Merge> rivals = FindRivals(candidate, candidates);
     if (rivals.size() == 1) return rivals;
     if (first.empty()) first = std::move(rivals);
   }
@@ -214,22 +221,22 @@ std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& 
   return first;
 }
 
-void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi) {
+void ApplyMerge(const Merge& merge, MapGraph& graph, ObjectOfObservation& phi) {
   const auto renumbered = [&](int object) {
-    if (object == join.joined) object = join.kept;
-    return object > join.joined ? object - 1 : object;
+    if (object == merge.joined) object = merge.kept;
+    return object > merge.joined ? object - 1 : object;
   };
   for (ObjectFactor& factor : graph.observations) {
-    if (factor.object == join.joined) {
-      if (join.turn != 0) Turn(join.turn, factor);
-      if (join.flipped) ForgetRotation(factor);
+    if (factor.object == merge.joined) {
+      if (merge.turn != 0) Turn(merge.turn, factor);
+      if (merge.flipped) MarginalizeRotation(factor);
     }
     factor.object = renumbered(factor.object);
   }
   for (std::vector<int>& of_frame : phi) {
     for (int& object : of_frame) object = renumbered(object);
   }
-  graph.objects.erase(graph.objects.begin() + join.joined);
+  graph.objects.erase(graph.objects.begin() + merge.joined);
 }
 
 void DropUnseen(MapGraph& graph, ObjectOfObservation& phi) {
@@ -250,8 +257,8 @@ void DropUnseen(MapGraph& graph, ObjectOfObservation& phi) {
 }
 
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
-                                        const ObjectAssociationOptions& options) {
+                                        const ObjectOfObservation& phi,
+                                        std::optional<double> seconds_between) {
   const std::vector<std::pair<double, double>> spans = Spans(graph.objects.size(), frames, phi);
   ObjectOfObservation result;
   for (size_t i = 0; i < frames.size(); ++i) {
@@ -270,8 +277,7 @@ ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector
       if (!expected) continue;
       for (size_t j = 0; j < observations.size(); ++j) {
         if (observations[j].view.model != graph.objects[o].model) continue;
-        const auto agreement =
-            BoxAgreement(*expected, observations[j].view.detection.box, options.box_overlap);
+        const auto agreement = BoxAgreement(*expected, observations[j].view.detection.box, kSeenOverlap);
         if (!agreement) continue;
         costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - *agreement;
       }

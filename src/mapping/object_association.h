@@ -15,15 +15,12 @@
 namespace armature {
 
 struct ObjectAssociationOptions {
-  double gate = 4;       // squared Mahalanobis distance per row that joins two objects
-  double overlap = 0.3;  // or this intersection over union of their boxes: two things cannot be in one place
-  int together = 2;      // frames that may show both of them nevertheless
-  double drift = 0.05;   // metres a metre travelled: of the odometry since an object was last seen
+  double gate = 4;            // squared Mahalanobis distance per row that joins two objects
+  double drift = 0.05;        // metres a metre travelled: of the odometry since an object was last seen
   double turn_drift_deg = 1;  // degrees a metre travelled
-  double box_overlap = 0.3;   // intersection over union of a detection's box and an object's projection
 };
 
-struct Join {
+struct Merge {
   int kept = 0, joined = 0;  // objects
   double turn = 0;       // radians: the joined object's own front is turned by this against the kept one's
   bool flipped = false;  // fronts disagree though neither is symmetric
@@ -34,11 +31,11 @@ struct Join {
 // were seen together. Where every pair has rivals, the best pair and its rivals; which one it is, the
 // odometry may tell. `seconds_between` limits it to pairs seen within that time of each other (without loop
 // closure); none: no limit.
-std::vector<Join> FindJoins(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                            std::optional<double> seconds_between, const ObjectAssociationOptions& options);
+std::vector<Merge> FindMerges(const MapGraph& graph, const std::vector<MapFrame>& frames,
+                              std::optional<double> seconds_between, const ObjectAssociationOptions& options);
 
 // Makes one object of two: observations, factors, phi; later objects move up.
-void Apply(const Join& join, MapGraph& graph, ObjectOfObservation& phi);
+void ApplyMerge(const Merge& merge, MapGraph& graph, ObjectOfObservation& phi);
 
 // Takes objects without any observation out of graph and phi; later objects move up.
 void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);
@@ -46,7 +43,7 @@ void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);
 // Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame.
 // Objects are candidates within `seconds_between` of the observations that phi gives them now.
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi, std::optional<double> seconds_between,
-                                        const ObjectAssociationOptions& options);
+                                        const ObjectOfObservation& phi,
+                                        std::optional<double> seconds_between);
 
 }  // namespace armature

@@ -66,7 +66,7 @@ ObjectFactor MakeObjectFactor(const ImageEvidence& evidence, const PoseAndShape&
   return factor;
 }
 
-void ForgetRotation(ObjectFactor& factor) {
+void MarginalizeRotation(ObjectFactor& factor) {
   const Eigen::MatrixXd H = factor.A.transpose() * factor.A;
   const Eigen::VectorXd g = factor.A.transpose() * factor.b;
   const Eigen::Index rest = g.size() - 3;

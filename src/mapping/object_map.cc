@@ -5,19 +5,24 @@
 #include <utility>
 
 namespace armature {
+namespace {
+
+constexpr double kSolveGrowth = 1.4;  // and again whenever there are this many times more frames
+
+}  // namespace
 
 ScaleEstimate ObjectMap::Expected(const ScaleEstimate& learnt) const {
-  return options_.scale == "none" ? ScaleEstimate{1, 0} : learnt;
+  return odometry_is_metric_ ? ScaleEstimate{1, 0} : learnt;
 }
 
 void ObjectMap::Add(MapFrame frame, const ScaleEstimate& expected_scale) {
   frames_.push_back(std::move(frame));
   const auto count = static_cast<double>(frames_.size());
-  if (count < std::max<double>(options_.first_solve, next_solve_)) {
+  if (count < std::max<double>(kFirstSolve, next_solve_)) {
     FollowOdometry(Expected(expected_scale).scale);
     return;
   }
-  next_solve_ = count * options_.solve_growth;
+  next_solve_ = count * kSolveGrowth;
   MappingOptions without_refinement = options_;
   without_refinement.refinement.rounds = 0;
   current_ = SolveMap(frames_, Expected(expected_scale), box_, resection_, without_refinement);

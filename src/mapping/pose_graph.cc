@@ -47,7 +47,7 @@ void CheckGraph(const PoseGraph& graph) {
   }
 }
 
-ceres::Solver::Options SolverOptions(const PoseGraphOptions& options) {
+ceres::Solver::Options MakeSolverOptions(const PoseGraphOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
   solver.use_postordering = true;  // columns of like structure next to each other: larger supernodes
@@ -83,7 +83,7 @@ void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraph
   }
   ceres::Solver::Summary summary;
   const OneThread one_thread;
-  ceres::Solve(SolverOptions(options), &problem, &summary);
+  ceres::Solve(MakeSolverOptions(options), &problem, &summary);
   if (!summary.IsSolutionUsable()) throw std::runtime_error("pose graph: " + summary.message);
   for (size_t pose = 0; pose < blocks.size(); ++pose) {
     // A fixed pose keeps its very bits.

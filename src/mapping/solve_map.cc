@@ -27,9 +27,9 @@ MapSolution SolveWithScaleHeld(MapGraph& graph, const MapSolverOptions& options)
   return solution;
 }
 
-// Of joins that exclude each other, makes the one that costs the solved graph least: a wrong one bends the
+// Of merges that exclude each other, makes the one that costs the solved graph least: a wrong one bends the
 // odometry more, or its views disagree. A loop that closes moves the cameras.
-void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, MapGraph& graph,
+void MakeBest(const std::vector<Merge>& merges, const MapSolverOptions& options, MapGraph& graph,
               ObjectOfObservation& phi) {
   struct Outcome {
     MapGraph graph;
@@ -37,9 +37,9 @@ void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, M
     double cost = 0;
   };
   std::optional<Outcome> best;
-  for (const Join& join : joins) {
+  for (const Merge& merge : merges) {
     Outcome outcome{graph, phi};
-    Apply(join, outcome.graph, outcome.phi);
+    ApplyMerge(merge, outcome.graph, outcome.phi);
     outcome.cost = SolveWithScaleHeld(outcome.graph, options).final_cost;
     if (!best || outcome.cost < best->cost) best = std::move(outcome);
   }
@@ -47,32 +47,33 @@ void MakeBest(const std::vector<Join>& joins, const MapSolverOptions& options, M
   phi = std::move(best->phi);
 }
 
-void JoinWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
-                      ObjectOfObservation& phi) {
+void MergeWhileSolving(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                       ObjectOfObservation& phi) {
   SolveWithScaleHeld(graph, options.solver);
-  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), options.association); };
-  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) {
-    MakeBest(joins, options.solver, graph, phi);
+  const auto find = [&] { return FindMerges(graph, frames, SecondsBetween(options), options.association); };
+  for (std::vector<Merge> merges = find(); !merges.empty(); merges = find()) {
+    MakeBest(merges, options.solver, graph, phi);
   }
 }
 
 // Once factors are linearised at the map's poses and not at their own optima, only what lies in one place is
 // joined.
-void JoinOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
-                     ObjectOfObservation& phi) {
+void MergeOverlapping(const std::vector<MapFrame>& frames, const MappingOptions& options, MapGraph& graph,
+                      ObjectOfObservation& phi) {
   ObjectAssociationOptions only_overlap = options.association;
   only_overlap.gate = 0;
-  const auto find = [&] { return FindJoins(graph, frames, SecondsBetween(options), only_overlap); };
-  for (std::vector<Join> joins = find(); !joins.empty(); joins = find()) Apply(joins.front(), graph, phi);
+  const auto find = [&] { return FindMerges(graph, frames, SecondsBetween(options), only_overlap); };
+  for (std::vector<Merge> merges = find(); !merges.empty(); merges = find())
+    ApplyMerge(merges.front(), graph, phi);
 }
 
 void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
             const MappingOptions& options, MapGraph& graph, ObjectOfObservation& phi) {
   MapSolverOptions solver = options.solver;
-  solver.max_iterations = options.refinement.iterations;
+  solver.max_iterations = kRefinementSteps;
   for (int round = 0; round < options.refinement.rounds; ++round) {
-    JoinOverlapping(frames, options, graph, phi);
-    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options), options.association);
+    MergeOverlapping(frames, options, graph, phi);
+    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options));
     Relinearise(frames, phi, round, box, resection, options.refinement, graph);
     DropUnseen(graph, phi);
     SolveMapGraph(graph, solver);
@@ -157,20 +158,18 @@ double Map::MeanScale() const {
 
 Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
-  MapGraph graph =
-      MakeOdometryGraph(frames, expected_scale, options.odometry, options.knot_seconds, options.up_sigma_deg);
+  MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
-  AddObjects(frames, phi, options.view_noise, graph);
-  JoinWhileSolving(frames, options, graph, phi);
+  AddObjects(frames, phi, graph);
+  MergeWhileSolving(frames, options, graph, phi);
   Refine(frames, box, resection, options, graph, phi);
   return ToMap(frames, graph, phi, options);
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
-  MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry, options.knot_seconds,
-                                     options.up_sigma_deg);
+  MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry);
   graph.cameras_are_held = true;
-  AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), options.view_noise, graph);
+  AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), graph);
   SolveMapGraph(graph, options.solver);
   Map placed = map;
   placed.T_world_camera = graph.T_world_camera;

@@ -3,6 +3,7 @@
 // one object, the factor graph, and the joint refinement over all frames' lines.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,17 +19,11 @@
 namespace armature {
 
 struct MappingOptions {
-  std::string scale = "objects";  // "objects": of the odometry, from the objects; "none": it is in metres
-  int min_observations = 4;       // frames that agree before an object is kept
+  int min_observations = 4;   // frames that agree before an object is kept
   bool loop_closure = true;   // objects seen again later are the same objects; else only those seen recently
   double recent_seconds = 3;  // what recently means
-  int first_solve = 30;       // frames after which the map is solved for the first time while frames come in,
-  double solve_growth = 1.4;  // and again whenever there are this many times more: a fixed cost a frame
   StepNoise odometry;
-  double knot_seconds = 2;  // between the knots of the odometry's scale
-  double up_sigma_deg = 1;  // degrees: up as the front end has it is never surer
   ObjectAssociationOptions association;
-  FactorNoise view_noise;  // of single-view estimates, before the refinement
   MapSolverOptions solver;
   RefinementOptions refinement;
 };
@@ -46,8 +41,9 @@ struct MapObject {
 };
 
 struct Map {
-  std::vector<double> timestamps;                 // seconds, one a camera
-  std::vector<Eigen::Isometry3d> T_world_camera;  // metres; the world is the odometry's frame
+  std::vector<std::shared_ptr<const CategoryModel>> models;  // that `objects` point into, kept alive
+  std::vector<double> timestamps;                            // seconds, one a camera
+  std::vector<Eigen::Isometry3d> T_world_camera;             // metres; the world is the odometry's frame
   std::vector<MapObject> objects;
   ObjectOfObservation phi;            // indices into `objects`
   std::vector<double> log_scale;      // of metres a unit of odometry, at the knots

@@ -19,7 +19,7 @@ class ConnectedSets {
   }
 
   // Whether they were apart before.
-  bool Join(size_t a, size_t b) {
+  bool Merge(size_t a, size_t b) {
     a = Root(a);
     b = Root(b);
     parent_[b] = a;
@@ -36,11 +36,11 @@ bool IsConsecutive(const PoseGraphEdge& edge) { return edge.from + 1 == edge.to 
 std::vector<std::vector<const PoseGraphEdge*>> TreeEdges(const PoseGraph& graph) {
   ConnectedSets sets(graph.poses.size());
   const std::vector<size_t> fixed = FixedPoses(graph);
-  for (const size_t pose : fixed) sets.Join(fixed.front(), pose);
+  for (const size_t pose : fixed) sets.Merge(fixed.front(), pose);
   std::vector<std::vector<const PoseGraphEdge*>> tree(graph.poses.size());
   for (const bool consecutive : {true, false}) {
     for (const PoseGraphEdge& edge : graph.edges) {
-      if (IsConsecutive(edge) != consecutive || !sets.Join(edge.from, edge.to)) continue;
+      if (IsConsecutive(edge) != consecutive || !sets.Merge(edge.from, edge.to)) continue;
       tree[edge.from].push_back(&edge);
       tree[edge.to].push_back(&edge);
     }
@@ -53,8 +53,8 @@ std::vector<std::vector<const PoseGraphEdge*>> TreeEdges(const PoseGraph& graph)
 std::optional<size_t> FirstUnconnectedPose(const PoseGraph& graph) {
   ConnectedSets sets(graph.poses.size());
   const std::vector<size_t> fixed = FixedPoses(graph);
-  for (const size_t pose : fixed) sets.Join(fixed.front(), pose);
-  for (const PoseGraphEdge& edge : graph.edges) sets.Join(edge.from, edge.to);
+  for (const size_t pose : fixed) sets.Merge(fixed.front(), pose);
+  for (const PoseGraphEdge& edge : graph.edges) sets.Merge(edge.from, edge.to);
   for (size_t pose = 0; pose < graph.poses.size(); ++pose) {
     if (sets.Root(pose) != sets.Root(fixed.front())) return pose;
   }

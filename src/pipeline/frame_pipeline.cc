@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/stage_clock.h"
+#include "category/category_lookup.h"
 #include "geometry/rotation.h"
 #include "pipeline/object_estimator.h"
 #include "pipeline/object_views.h"
@@ -14,33 +14,83 @@
 namespace armature {
 namespace {
 
+std::vector<std::shared_ptr<const CategoryModel>> Share(std::vector<CategoryModel> models) {
+  std::vector<std::shared_ptr<const CategoryModel>> shared;
+  for (CategoryModel& model : models)
+    shared.push_back(std::make_shared<const CategoryModel>(std::move(model)));
+  return shared;
+}
+
 std::vector<Box> CollectBoxes(const std::vector<Detection>& detections) {
   std::vector<Box> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);
   return boxes;
 }
 
-void ForgetViewpoints(std::vector<Detection>& detections) {
-  for (Detection& detection : detections) {
+FrameInput WithoutViewpoints(FrameInput input) {
+  for (Detection& detection : input.detections) {
     detection.azimuth.reset();
     detection.elevation.reset();
     detection.tilt.reset();
   }
+  return input;
+}
+
+void MarkHiddenSides(std::vector<ObjectInFrame>& objects) {
+  for (ObjectInFrame& object : objects) {
+    std::vector<Box> others;
+    for (const ObjectInFrame& other : objects) {
+      if (&other != &object) others.push_back(other.view.detection.box);
+    }
+    object.view.hidden_probability = HiddenProbabilities(object.view.detection.box, others);
+  }
+}
+
+// Large furniture hides small furniture more often than the other way round.
+std::vector<ObjectInFrame*> LargestFirst(std::vector<ObjectInFrame>& objects) {
+  const auto volume = [](const ObjectInFrame* object) {
+    return BoundingBoxSize(WireframeFromVector(object->view.model->mean)).prod();
+  };
+  std::vector<ObjectInFrame*> order;
+  for (ObjectInFrame& object : objects) order.push_back(&object);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const ObjectInFrame* a, const ObjectInFrame* b) { return volume(a) > volume(b); });
+  return order;
+}
+
+bool IsOk(const ObjectInFrame& object) { return object.result.estimate.status == EstimateStatus::kOk; }
+
+void AppendFaces(const ObjectInFrame& object, std::vector<ImageFace>& occluders) {
+  const auto& [view, track, result] = object;
+  const Wireframe wireframe = WireframeFromCoefficients(*view.model, result.estimate.coefficients);
+  for (ImageFace& face :
+       ProjectFaces(*view.camera, view.model->spec, wireframe, result.estimate.T_camera_object))
+    occluders.push_back(std::move(face));
+}
+
+std::vector<ObjectObservation> CollectObservations(const FrameInput& input,
+                                                   const std::vector<ObjectInFrame>& objects) {
+  std::vector<ObjectObservation> observations;
+  for (size_t i = 0; i < objects.size(); ++i) {
+    const SingleViewResult& result = objects[i].result;
+    observations.push_back(
+        {input.detections[i], result.initial.T_camera_object, result.initial.coefficients, result.estimate});
+  }
+  return observations;
 }
 
 }  // namespace
 
 FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                             std::optional<Eigen::Vector3d> up_odom)
+                             std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric)
     : options_(std::move(options)),
       camera_(camera),
-      categories_(std::move(categories)),
+      categories_(Share(std::move(categories))),
       up_odom_(up_odom),
       detector_(MakeLineDetector(options_.lines)),
-      up_estimator_(options_.up),
       floor_(options_.floor),
       tracks_(options_.tracks),
-      map_(options_.mapping, options_.association.box, options_.resection) {}
+      map_(options_.mapping, options_.association.box, options_.resection, odometry_is_metric) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
   return Process(DetectLines(gray, input.detections), input);
@@ -55,111 +105,90 @@ DetectedLines FramePipeline::DetectLines(const cv::Mat& gray, const std::vector<
 }
 
 FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given) {
-  FrameInput input = given;
-  if (!options_.association.hypotheses.use_viewpoint) ForgetViewpoints(input.detections);
-  FrameResult result;
-  result.timestamp = input.timestamp;
-  result.segments = std::move(lines.segments);
-  result.times.lines = lines.milliseconds;
-  std::vector<ObjectView> views;
-  std::vector<int> tracks;
-  {  // what is known before an object is looked at
-    const StageClock clock(result.times.mapping);
-    const UpEstimate up = EstimateUp(input, result.segments);
-    result.up_camera = up.up_camera;
-    result.up_sigma = up.sigma;
-    result.floor = floor_.Predict(input.timestamp, ClimbSinceLastFrame(input, up));
-    views = MakeViews(input, result);
-    tracks = Recall(input, views);
+  const FrameInput input = options_.association.hypotheses.use_viewpoint ? given : WithoutViewpoints(given);
+  FrameResult frame;
+  frame.timestamp = input.timestamp;
+  frame.segments = std::move(lines.segments);
+  frame.times.lines = lines.milliseconds;
+
+  // What is known before an object is looked at: up, the floor, and what its track remembers (3.3's priors).
+  std::vector<ObjectInFrame> objects = Predict(input, frame);
+
+  // Each object by itself, but for those in front of it: edges and segments are associated (3.3, Algorithm 1,
+  // eqs. 6-15), pose and shape follow from the matches (3.4, eqs. 16-25), in turns.
+  std::vector<ImageFace> occluders;
+  for (ObjectInFrame* object : LargestFirst(objects)) {
+    object->view.occluders = occluders;
+    object->result = EstimateObject(object->view, options_.association, options_.resection);
+    frame.times.association += object->result.times.association_ms;
+    frame.times.optimization += object->result.times.optimization_ms;
+    if (options_.association.occlusion && IsOk(*object)) AppendFaces(*object, occluders);
   }
-  const std::vector<SingleViewResult> estimations = EstimateObjects(input, views, result.times);
-  for (size_t i = 0; i < views.size(); ++i) {
-    result.observations.push_back({input.detections[i], estimations[i].initial.T_camera_object,
-                                   estimations[i].initial.coefficients, estimations[i].estimate});
-  }
-  const StageClock clock(result.times.mapping);
-  LearnUp(result, estimations);
-  LearnObjects(input, views, estimations, tracks);
-  const StageClock map_clock(map_milliseconds_);
-  AddToMap(input, result, views, estimations, tracks);
-  return result;
+  frame.observations = CollectObservations(input, objects);
+
+  // What the objects say of up, the floor and their tracks; and the factor graph (3.5, eqs. 27-29).
+  const StageClock clock(frame.times.mapping);
+  Update(input, objects);
+  AddToMap(input, frame, std::move(objects));
+  return frame;
 }
 
-std::vector<ObjectView> FramePipeline::MakeViews(const FrameInput& input, const FrameResult& frame) const {
+std::vector<ObjectInFrame> FramePipeline::Predict(const FrameInput& input, FrameResult& frame) {
+  const StageClock clock(frame.times.mapping);
+  const UpEstimate up = PredictUp(input, frame.segments);
+  frame.up_camera = up.up_camera;
+  frame.up_sigma = up.sigma;
+  frame.floor = floor_.Predict(input.timestamp, ClimbSinceLastFrame(input, up));
+
+  std::vector<ObjectInFrame> objects;
   std::vector<ObjectView> views;
   for (const Detection& detection : input.detections) {
-    views.push_back(
-        MakeView(detection, frame.segments, frame.up_camera, camera_, LookUpModel(detection), options_));
+    const CategoryModel& model = LookUpModel(categories_, detection.category);
+    views.push_back(MakeView(detection, frame.segments, frame.up_camera, camera_, model, options_));
     views.back().floor = frame.floor;
   }
-  MarkHiddenSides(views);
-  return views;
-}
-
-std::vector<int> FramePipeline::Recall(const FrameInput& input, std::vector<ObjectView>& views) const {
-  if (!input.T_odom_camera) return std::vector<int>(views.size(), -1);
-  std::vector<int> tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
-  if (!options_.tracks.enabled) return tracks;  // the map wants to know them nevertheless
+  std::vector<int> tracks(views.size(), kNoTrack);
+  if (input.T_odom_camera) tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
   for (size_t i = 0; i < views.size(); ++i) {
-    views[i].memory = tracks_.Recall(tracks[i], *input.T_odom_camera, *views[i].up_camera);
+    ObjectInFrame& object = objects.emplace_back();
+    object.view = std::move(views[i]);
+    object.track = tracks[i];  // the map wants to know it also where the prior is not used
+    if (options_.tracks.enabled && input.T_odom_camera)
+      object.view.track_prior = tracks_.Predict(object.track, *input.T_odom_camera, frame.up_camera);
   }
-  return tracks;
+  MarkHiddenSides(objects);
+  return objects;
 }
 
-std::vector<SingleViewResult> FramePipeline::EstimateObjects(const FrameInput& input,
-                                                             std::vector<ObjectView>& views,
-                                                             StageTimes& times) const {
-  std::vector<SingleViewResult> estimations(views.size());
-  std::vector<ImageFace> occluders;
-  for (const size_t i : LargestFirst(input.detections)) {
-    EstimatorTimes spent;
-    views[i].occluders = occluders;
-    estimations[i] = EstimateObject(views[i], options_.association, options_.resection, spent);
-    times.association += spent.association_ms;
-    times.optimization += spent.optimization_ms;
-    const ObjectEstimate& estimate = estimations[i].estimate;
-    if (!options_.association.occlusion || estimate.status != EstimateStatus::kOk) continue;
-    const CategoryModel& model = *views[i].model;
-    const Wireframe wireframe = WireframeFromCoefficients(model, estimate.coefficients);
-    for (ImageFace& face : ProjectFaces(camera_, model.spec, wireframe, estimate.T_camera_object)) {
-      occluders.push_back(std::move(face));
-    }
-  }
-  return estimations;
-}
-
-void FramePipeline::LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
-                                 const std::vector<SingleViewResult>& estimations, std::vector<int>& tracks) {
-  for (size_t i = 0; i < views.size(); ++i) {
-    const int track = std::exchange(tracks[i], -1);
-    const ObjectEstimate& estimate = estimations[i].estimate;
-    if (estimate.status != EstimateStatus::kOk) continue;
-    if (MatchedEdges(estimate.matches) < options_.tracks.min_edges) continue;
-    floor_.Learn(estimations[i], *views[i].model, *views[i].up_camera);
+void FramePipeline::Update(const FrameInput& input, std::vector<ObjectInFrame>& objects) {
+  UpdateUp(objects);
+  for (auto& [view, track, result] : objects) {
+    const int predicted = std::exchange(track, kNoTrack);
+    if (result.estimate.status != EstimateStatus::kOk) continue;
+    if (MatchedEdges(result.estimate.matches) < kLeastLearntEdges) continue;
+    floor_.Update(result, *view.model, *view.up_camera);
     if (!input.T_odom_camera) continue;
-    tracks[i] = tracks_.Learn(track, input.timestamp, views[i], estimations[i], *input.T_odom_camera);
+    track = tracks_.Update(predicted, input.timestamp, view, result, *input.T_odom_camera);
   }
-  if (input.T_odom_camera) tracks_.Update(input.timestamp);
+  if (input.T_odom_camera) tracks_.Solve(input.timestamp);
 }
 
-void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& result,
-                             const std::vector<ObjectView>& views,
-                             const std::vector<SingleViewResult>& estimations,
-                             const std::vector<int>& tracks) {
+void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& frame,
+                             std::vector<ObjectInFrame> objects) {
   if (!input.T_odom_camera) return;
-  MapFrame frame;
-  frame.timestamp = input.timestamp;
-  frame.T_odom_camera = *input.T_odom_camera;
-  frame.up_camera = result.up_camera;
-  frame.up_sigma = result.up_sigma;
-  for (size_t i = 0; i < views.size(); ++i) {
-    frame.observations.push_back(
-        {views[i], tracks[i], estimations[i].measured.estimate, estimations[i].evidence});
-    ObjectView& view = frame.observations.back().view;
-    view.memory.reset();
+  const StageClock clock(map_milliseconds_);
+  MapFrame added;
+  added.timestamp = input.timestamp;
+  added.T_odom_camera = *input.T_odom_camera;
+  added.up_camera = frame.up_camera;
+  added.up_sigma = frame.up_sigma;
+  for (auto& [view, track, result] : objects) {
+    view.track_prior.reset();
     view.occluders.clear();
+    added.observations.push_back(
+        {std::move(view), track, std::move(result.measured.estimate), std::move(result.evidence)});
   }
-  map_.Add(std::move(frame), tracks_.Scale());
+  map_.Add(std::move(added), tracks_.Scale());
 }
 
 std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
@@ -171,18 +200,8 @@ std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
     maps.map = map_.Solve(tracks_.Scale());
   }
   maps.by_odometry = PlaceByOdometry(map_.frames(), maps.map, options_.mapping);
+  maps.map.models = maps.by_odometry.models = categories_;
   return maps;
-}
-
-void FramePipeline::MarkHiddenSides(std::vector<ObjectView>& views) const {
-  for (size_t i = 0; i < views.size(); ++i) {
-    std::vector<Box> others;
-    for (size_t j = 0; j < views.size(); ++j) {
-      if (j != i) others.push_back(views[j].detection.box);
-    }
-    views[i].hidden_probability =
-        HiddenProbabilities(views[i].detection.box, others, options_.association.box);
-  }
 }
 
 std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
@@ -193,56 +212,36 @@ std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input
   return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
 }
 
-UpEstimate FramePipeline::EstimateUp(const FrameInput& input, const std::vector<Segment>& segments) {
-  if (options_.up.source == "level")
-    return {Eigen::Vector3d(0, -1, 0), options_.up.level_sigma_deg * kDegree};
-  if (options_.up.source == "auto" && up_odom_ && input.T_odom_camera) {
+UpEstimate FramePipeline::PredictUp(const FrameInput& input, const std::vector<Segment>& segments) {
+  if (options_.up.source == UpSource::kLevel) return {Eigen::Vector3d(0, -1, 0), kLevelSigmaDeg * kDegree};
+  if (options_.up.source == UpSource::kAuto && up_odom_ && input.T_odom_camera) {
     return {(input.T_odom_camera->linear().transpose() * *up_odom_).normalized(), 0};
   }
   std::vector<UpVote> votes;
   for (const Detection& detection : input.detections) {
-    const BoxSides sides = SidesAtImageBorder(detection.box, camera_, options_.association.box.cut_tolerance);
+    const BoxSides sides = SidesAtImageBorder(detection.box, camera_);
     const bool whole = std::count(sides.begin(), sides.end(), BoxSide::kOpen) == 0;
-    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : options_.up.open_box_sigma_deg;
+    const double sigma_deg = whole ? options_.up.viewpoint_sigma_deg : kOpenBoxSigmaDeg;
     const auto vote =
         MakeUpVote(detection, camera_.Ray(UndistortBox(camera_, detection.box).center()), sigma_deg);
     if (vote) votes.push_back(*vote);
   }
-  return up_estimator_.Update(camera_, segments, votes, input.T_odom_camera);
+  return up_estimator_.Predict(camera_, segments, votes, input.T_odom_camera);
 }
 
-void FramePipeline::LearnUp(const FrameResult& result, const std::vector<SingleViewResult>& estimations) {
+void FramePipeline::UpdateUp(const std::vector<ObjectInFrame>& objects) {
   std::vector<UpVote> votes;
-  for (size_t i = 0; i < estimations.size(); ++i) {
-    if (estimations[i].estimate.status != EstimateStatus::kOk) continue;
-    const Eigen::Vector3d t = estimations[i].estimate.T_camera_object.translation();
+  for (const ObjectInFrame& object : objects) {
+    if (!IsOk(object)) continue;
+    const Eigen::Vector3d t = object.result.estimate.T_camera_object.translation();
     // How far the ray may be off: the centre's uncertainty across it, as this image alone leaves it.
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - t * t.transpose() / t.squaredNorm();
-    const Eigen::Matrix3d covariance = estimations[i].measured.covariance.block<3, 3>(3, 3);
+    const Eigen::Matrix3d covariance = object.result.measured.covariance.block<3, 3>(3, 3);
     const double off_deg = 2 * std::sqrt((across * covariance * across).trace()) / t.norm() / kDegree;
     const double sigma_deg = std::hypot(options_.up.viewpoint_sigma_deg, off_deg);
-    if (const auto vote = MakeUpVote(result.observations[i].detection, t, sigma_deg)) votes.push_back(*vote);
+    if (const auto vote = MakeUpVote(object.view.detection, t, sigma_deg)) votes.push_back(*vote);
   }
-  up_estimator_.ReviseVotes(votes);
-}
-
-const CategoryModel& FramePipeline::LookUpModel(const Detection& detection) const {
-  const auto found = std::find_if(categories_.begin(), categories_.end(), [&](const CategoryModel& model) {
-    return model.spec.name == detection.category;
-  });
-  if (found == categories_.end()) std::abort();  // checked where detections are read
-  return *found;
-}
-
-// Large furniture hides small furniture more often than the other way round.
-std::vector<size_t> FramePipeline::LargestFirst(const std::vector<Detection>& detections) const {
-  std::vector<size_t> order(detections.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto volume = [&](size_t i) {
-    return BoundingBoxSize(WireframeFromVector(LookUpModel(detections[i]).mean)).prod();
-  };
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return volume(a) > volume(b); });
-  return order;
+  up_estimator_.Update(votes);
 }
 
 }  // namespace armature

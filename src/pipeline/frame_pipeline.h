@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The front end: one function a frame.
+// The front end: one function a frame, in the paper's order.
 #pragma once
 
 #include <memory>
@@ -14,6 +14,7 @@
 #include "pipeline/frame_result.h"
 #include "pipeline/options.h"
 #include "tracking/floor_height.h"
+#include "tracking/object_tracks.h"
 #include "tracking/up_direction.h"
 
 namespace armature {
@@ -31,14 +32,26 @@ struct DetectedLines {
   double milliseconds = 0;        // that finding them took
 };
 
+// One detection of a frame on its way through the pipeline.
+struct ObjectInFrame {
+  ObjectView view;
+  int track = kNoTrack;     // id of the track that it continues; in the end only where it was learnt from
+  SingleViewResult result;  // of association and resection
+};
+
+// Views and maps point into it, so it stays where it is; maps keep the models alive that their objects are
+// of.
 class FramePipeline {
  public:
-  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one.
+  // `up_odom`: the up direction in the odometry's frame, where the sequence gives one. `odometry_is_metric`:
+  // its unit is the metre; otherwise the objects tell its scale.
   FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                std::optional<Eigen::Vector3d> up_odom);
+                std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric = false);
+  FramePipeline(const FramePipeline&) = delete;
+  FramePipeline& operator=(const FramePipeline&) = delete;
 
-  // `gray`: 8 bit, one channel, of the camera's size. Every detection's category must be one of the
-  // categories.
+  // `gray`: 8 bit, one channel, of the camera's size. Throws InputError for a detection of a category without
+  // a model.
   FrameResult Process(const cv::Mat& gray, const FrameInput& input);
 
   // The same in two steps, so that lines of the next frame can be found while this one goes on. The first
@@ -62,27 +75,17 @@ class FramePipeline {
   std::optional<FinalMaps> SolveMaps() const;
 
  private:
-  UpEstimate EstimateUp(const FrameInput& input, const std::vector<Segment>& segments);
+  std::vector<ObjectInFrame> Predict(const FrameInput& input, FrameResult& frame);
+  void Update(const FrameInput& input, std::vector<ObjectInFrame>& objects);
+  void AddToMap(const FrameInput& input, const FrameResult& frame, std::vector<ObjectInFrame> objects);
+
+  UpEstimate PredictUp(const FrameInput& input, const std::vector<Segment>& segments);
+  void UpdateUp(const std::vector<ObjectInFrame>& objects);
   std::optional<double> ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up);
-  void MarkHiddenSides(std::vector<ObjectView>& views) const;
-  void LearnUp(const FrameResult& result, const std::vector<SingleViewResult>& estimations);
-  std::vector<ObjectView> MakeViews(const FrameInput& input, const FrameResult& frame) const;
-  // The track of each view, -1: none; gives the views what their tracks remember, if that is wanted.
-  std::vector<int> Recall(const FrameInput& input, std::vector<ObjectView>& views) const;
-  // Large furniture first: what is found hides what is behind it.
-  std::vector<SingleViewResult> EstimateObjects(const FrameInput& input, std::vector<ObjectView>& views,
-                                                StageTimes& times) const;
-  // Hands back the numbers of the tracks that have learnt, -1 for detections that none was sure of.
-  void LearnObjects(const FrameInput& input, const std::vector<ObjectView>& views,
-                    const std::vector<SingleViewResult>& estimations, std::vector<int>& tracks);
-  void AddToMap(const FrameInput& input, const FrameResult& result, const std::vector<ObjectView>& views,
-                const std::vector<SingleViewResult>& estimations, const std::vector<int>& tracks);
-  const CategoryModel& LookUpModel(const Detection& detection) const;
-  std::vector<size_t> LargestFirst(const std::vector<Detection>& detections) const;
 
   Options options_;
   Camera camera_;
-  std::vector<CategoryModel> categories_;
+  std::vector<std::shared_ptr<const CategoryModel>> categories_;
   std::optional<Eigen::Vector3d> up_odom_;
   std::unique_ptr<LineDetector> detector_;
   UpEstimator up_estimator_;

@@ -12,6 +12,14 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a.
+constexpr double kPruneMargin = 3;  // hypotheses this much above the best without lines are passed by
+// Hypotheses closer than this in azimuth and (share) in depth are alike: only the better is refined.
+constexpr double kAlikeAzimuth = 10 * kDegree, kAlikeDepth = 0.1;
+constexpr int kLeastEdges = 2;          // matched edges, fewer are too few
+constexpr double kMostShapeSigmas = 3;  // a shape with a coefficient beyond this is not believed
+constexpr double kAmbiguityMargin = 1;  // half a turn that costs no more than this on top is as good
+
 double Diagonal(const Box& box) { return std::hypot(box.width, box.height); }
 
 // The gate shrinks geometrically from the search's to the final one.
@@ -19,9 +27,8 @@ MatchGate ShrinkGate(const ObjectView& view, const AssociationOptions& options, 
   const double coarse =
       std::max(options.final_gate_pixels, options.search_gate * Diagonal(view.detection.box));
   const double ratio = options.final_gate_pixels / coarse;
-  const double angle_ratio = options.final_angle_deg / options.search_angle_deg;
-  return {coarse * std::pow(ratio, progress),
-          options.search_angle_deg * kDegree * std::pow(angle_ratio, progress)};
+  const double angle_ratio = kFinalAngleDeg / kSearchAngleDeg;
+  return {coarse * std::pow(ratio, progress), kSearchAngleDeg * kDegree * std::pow(angle_ratio, progress)};
 }
 
 void Project(const ObjectView& view, const PoseAndShape& at, const BoxSides& sides, ProjectedWireframe& out) {
@@ -36,7 +43,9 @@ struct Candidate {
   double cost = 0;
   std::vector<EdgeMatch> matches;
   int iterations = 0;
-  bool finite = true;
+  StopReason stop = StopReason::kMaxIterations;
+
+  bool finite() const { return stop != StopReason::kNotFinite; }
 };
 
 double PrintedCost(const ObjectView& view, const PoseAndShape& at, const Wireframe& wireframe,
@@ -57,7 +66,7 @@ std::optional<double> CoverageCost(const ObjectView& view, const Hypothesis& hyp
       PriorCost(view, hypothesis.start, wireframe, hypothesis.sides, scratch, options.box, options.coverage);
   if (prior > bound) return std::nullopt;
   DetermineVisibility(*view.camera, view.model->spec, wireframe, T, view.occluders, scratch);
-  return prior + LineCost(view, scratch, CoveredLength(scratch, view.segments, gate), options.coverage);
+  return prior + LineCost(scratch, CoveredLength(scratch, view.segments, gate));
 }
 
 struct Ranked {
@@ -69,7 +78,8 @@ struct Ranked {
 std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& dictionary,
                          const std::vector<Hypothesis>& hypotheses, const AssociationOptions& options) {
   const Wireframe remembered =
-      view.memory ? WireframeFromCoefficients(*view.model, view.memory->expected.coefficients) : Wireframe{};
+      view.track_prior ? WireframeFromCoefficients(*view.model, view.track_prior->expected.coefficients)
+                       : Wireframe{};
   const MatchGate gate = ShrinkGate(view, options, 0);
   ProjectedWireframe scratch;
   std::vector<Ranked> ranking;
@@ -78,9 +88,9 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
     const int index = hypotheses[i].dictionary_index;
     const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
     const std::optional<double> cost =
-        options.cost == "printed" ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
-                                  : CoverageCost(view, hypotheses[i], wireframe, gate,
-                                                 best + options.prune_margin, options, scratch);
+        options.cost == AssociationCost::kPrinted
+            ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
+            : CoverageCost(view, hypotheses[i], wireframe, gate, best + kPruneMargin, options, scratch);
     if (!cost) continue;
     best = std::min(best, *cost);
     ranking.push_back({*cost, i});
@@ -90,12 +100,10 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
   return ranking;
 }
 
-bool AreAlike(const Hypothesis& a, const Hypothesis& b, const AssociationOptions& options,
-              int symmetry_order) {
+bool AreAlike(const Hypothesis& a, const Hypothesis& b, int symmetry_order) {
   const double za = a.start.T_camera_object.translation().z(), zb = b.start.T_camera_object.translation().z();
-  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) <
-             options.diverse_azimuth_deg * kDegree &&
-         std::abs(za - zb) < options.diverse_depth * std::min(za, zb);
+  return std::abs(AzimuthDifference(a.azimuth, b.azimuth, symmetry_order)) < kAlikeAzimuth &&
+         std::abs(za - zb) < kAlikeDepth * std::min(za, zb);
 }
 
 // The best few hypotheses that are not alike.
@@ -110,7 +118,7 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
     if (static_cast<int>(kept.size()) >= options.refined_hypotheses) break;
     const Hypothesis& hypothesis = hypotheses[ranked.hypothesis];
     const bool alike = std::any_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-      return AreAlike(hypothesis, other.hypothesis, options, view.model->spec.symmetry_order);
+      return AreAlike(hypothesis, other.hypothesis, view.model->spec.symmetry_order);
     });
     if (alike) continue;
     Candidate& candidate = kept.emplace_back();
@@ -123,14 +131,15 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
 
 std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected,
                                  const MatchGate& gate, const AssociationOptions& options) {
-  if (options.cost == "printed") return AssociateAsPrinted(projected, view.segments, options.printed).matches;
+  if (options.cost == AssociationCost::kPrinted)
+    return AssociateAsPrinted(projected, view.segments, options.printed).matches;
   return MatchSegments(projected, view.segments, gate).matches;
 }
 
 // One round of association and resection.
 void RefineOnce(const ObjectView& view, const AssociationOptions& options, const ResectionOptions& resection,
                 int round, Candidate& candidate, EstimatorTimes& times) {
-  if (!candidate.finite) return;
+  if (!candidate.finite()) return;
   ProjectedWireframe projected;
   const BoxSides& sides = candidate.hypothesis.sides;
   const double progress = options.rounds > 1 ? round / (options.rounds - 1.0) : 1.0;
@@ -141,21 +150,21 @@ void RefineOnce(const ObjectView& view, const AssociationOptions& options, const
   }
   const StageClock clock(times.optimization_ms);
   const ResectionResult result =
-      Resect(view, sides, candidate.matches, projected, candidate.estimate, options.box, resection);
+      Resect({view, sides, candidate.matches, projected, candidate.estimate, options.box, resection});
   candidate.iterations += result.iterations;
-  candidate.finite = result.finite;
-  if (result.finite) candidate.estimate = result.estimate;
+  candidate.stop = result.stop;
+  if (result.finite()) candidate.estimate = result.estimate;
 }
 
 // The matches and the cost of where the rounds have led.
-void Conclude(const ObjectView& view, const AssociationOptions& options, Candidate& candidate,
-              EstimatorTimes& times) {
+void Score(const ObjectView& view, const AssociationOptions& options, Candidate& candidate,
+           EstimatorTimes& times) {
   const StageClock clock(times.association_ms);
   ProjectedWireframe projected;
   const BoxSides& sides = candidate.hypothesis.sides;
   Project(view, candidate.estimate, sides, projected);
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
-  if (options.cost == "printed") {
+  if (options.cost == AssociationCost::kPrinted) {
     candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }
@@ -163,15 +172,15 @@ void Conclude(const ObjectView& view, const AssociationOptions& options, Candida
   candidate.matches = std::move(matching.matches);
   candidate.cost =
       PriorCost(view, candidate.estimate, wireframe, sides, projected, options.box, options.coverage) +
-      LineCost(view, projected, matching.covered_length, options.coverage);
+      LineCost(projected, matching.covered_length);
 }
 
 // Whether two candidates are on the way to the same place.
-bool HaveMet(const Candidate& a, const Candidate& b) {
+bool HaveConverged(const Candidate& a, const Candidate& b) {
   constexpr double kDistance = 0.01;  // share of the distance from the camera
   constexpr double kTurn = 1 * kDegree;
   constexpr double kShape = 0.3;  // standard deviations
-  if (!a.finite || !b.finite || a.hypothesis.sides != b.hypothesis.sides) return false;
+  if (!a.finite() || !b.finite() || a.hypothesis.sides != b.hypothesis.sides) return false;
   const Eigen::Isometry3d &A = a.estimate.T_camera_object, &B = b.estimate.T_camera_object;
   if ((A.translation() - B.translation()).norm() > kDistance * A.translation().norm()) return false;
   if ((a.estimate.coefficients - b.estimate.coefficients).norm() > kShape) return false;
@@ -180,11 +189,11 @@ bool HaveMet(const Candidate& a, const Candidate& b) {
 }
 
 // Of candidates that have met the first, which was ranked better, goes on.
-void DropThoseThatMet(std::vector<Candidate>& candidates) {
+void DropConverged(std::vector<Candidate>& candidates) {
   std::vector<Candidate> kept;
   for (Candidate& candidate : candidates) {
     const bool met = std::any_of(kept.begin(), kept.end(),
-                                 [&](const Candidate& other) { return HaveMet(other, candidate); });
+                                 [&](const Candidate& other) { return HaveConverged(other, candidate); });
     if (!met) kept.push_back(std::move(candidate));
   }
   candidates = std::move(kept);
@@ -197,18 +206,18 @@ void Refine(const ObjectView& view, const AssociationOptions& options, const Res
     for (Candidate& candidate : candidates) {
       RefineOnce(view, options, resection, round, candidate, times);
     }
-    DropThoseThatMet(candidates);
+    DropConverged(candidates);
   }
-  for (Candidate& candidate : candidates) Conclude(view, options, candidate, times);
+  for (Candidate& candidate : candidates) Score(view, options, candidate, times);
 }
 
-EstimateStatus Judge(const ObjectView& view, const Candidate& candidate, const ProjectedWireframe& projected,
-                     const AssociationOptions& options) {
-  if (!candidate.finite || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > options.max_shape_sigmas) {
+EstimateStatus Validate(const ObjectView& view, const Candidate& candidate,
+                        const ProjectedWireframe& projected) {
+  if (!candidate.finite() || candidate.estimate.coefficients.cwiseAbs().maxCoeff() > kMostShapeSigmas) {
     return EstimateStatus::kDiverged;
   }
   if (candidate.estimate.T_camera_object.translation().z() <= 0) return EstimateStatus::kBehindCamera;
-  if (MatchedEdges(candidate.matches) < options.min_edges) return EstimateStatus::kTooFewEdges;
+  if (MatchedEdges(candidate.matches) < kLeastEdges) return EstimateStatus::kTooFewEdges;
   const std::optional<Box> seen = BoxAround(projected);
   if (!seen) return EstimateStatus::kOffTheBox;
   const double covered = Intersection(*seen, view.detection.box).area() / std::max(seen->area(), 1.0);
@@ -221,18 +230,18 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
                  const ResectionOptions& resection, EstimatorTimes& times) {
   if (view.model->spec.symmetry_order > 1) return false;
   ObjectView without_priors = view;
-  without_priors.memory.reset();
+  without_priors.track_prior.reset();
   without_priors.detection.azimuth.reset();
   std::vector<Candidate> turned = {best};
   turned.front().estimate.T_camera_object.rotate(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()));
   Refine(without_priors, association, resection, turned, times);
-  if (!turned.front().finite) return false;
+  if (!turned.front().finite()) return false;
   std::vector<Candidate> as_is = {best};
-  Conclude(without_priors, association, as_is.front(), times);
+  Score(without_priors, association, as_is.front(), times);
   // Refining without the priors makes it better still: mostly the answer is known without.
-  if (turned.front().cost > as_is.front().cost + association.ambiguity_margin) return false;
+  if (turned.front().cost > as_is.front().cost + kAmbiguityMargin) return false;
   Refine(without_priors, association, resection, as_is, times);
-  return turned.front().cost <= as_is.front().cost + association.ambiguity_margin;
+  return turned.front().cost <= as_is.front().cost + kAmbiguityMargin;
 }
 
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
@@ -244,7 +253,7 @@ double RmsPixels(const std::vector<EdgeMatch>& matches) {
 void Measure(const ObjectView& view, const Candidate& best, const AssociationOptions& association,
              const ResectionOptions& resection, SingleViewResult& result) {
   ObjectView alone = view;
-  alone.memory.reset();
+  alone.track_prior.reset();
   alone.floor.reset();
   const BoxSides& sides = best.hypothesis.sides;
   ProjectedWireframe projected;
@@ -252,19 +261,40 @@ void Measure(const ObjectView& view, const Candidate& best, const AssociationOpt
   for (int round = 0; round < 2; ++round) {
     Project(alone, optimum, sides, projected);
     const ResectionResult resected =
-        Resect(alone, sides, best.matches, projected, optimum, association.box, resection);
-    if (!resected.finite) break;
+        Resect({alone, sides, best.matches, projected, optimum, association.box, resection});
+    if (!resected.finite()) break;
     optimum = resected.estimate;
   }
   Project(alone, optimum, sides, projected);
-  result.measured = MeasurementAt(alone, sides, best.matches, projected, optimum, association.box, resection);
-  result.evidence = EvidenceAt(alone, sides, best.matches, projected, optimum, association.box, resection);
+  const ResectionInput input{alone, sides, best.matches, projected, optimum, association.box, resection};
+  result.measured = MeasurementAt(input);
+  result.evidence = EvidenceAt(input);
+}
+
+void Describe(const ObjectView& view, Candidate best, const AssociationOptions& association,
+              const ResectionOptions& resection, SingleViewResult& result) {
+  ProjectedWireframe projected;
+  Project(view, best.estimate, best.hypothesis.sides, projected);
+  result.initial = best.hypothesis.start;
+  ObjectEstimate& estimate = result.estimate;
+  estimate.T_camera_object = best.estimate.T_camera_object;
+  estimate.coefficients = best.estimate.coefficients;
+  estimate.status = Validate(view, best, projected);
+  estimate.covariance = PoseCovariance(
+      {view, best.hypothesis.sides, best.matches, projected, best.estimate, association.box, resection});
+  estimate.rms_pixels = RmsPixels(best.matches);
+  estimate.matches = std::move(best.matches);
+  estimate.cost = best.cost;
+  estimate.iterations = best.iterations;
+  estimate.stop = best.stop;
 }
 
 }  // namespace
 
 SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions& association,
-                                const ResectionOptions& resection, EstimatorTimes& times) {
+                                const ResectionOptions& resection) {
+  SingleViewResult result;
+  EstimatorTimes& times = result.times;
   std::vector<Candidate> candidates;
   {
     const StageClock clock(times.association_ms);
@@ -274,22 +304,12 @@ SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions
   const auto best = std::min_element(candidates.begin(), candidates.end(),
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
-  SingleViewResult result;
   result.estimate.ambiguous = IsAmbiguous(view, *best, association, resection, times);
-  const StageClock clock(times.optimization_ms);
-  ProjectedWireframe projected;
-  Project(view, best->estimate, best->hypothesis.sides, projected);
-  Measure(view, *best, association, resection, result);
-  result.initial = best->hypothesis.start;
-  result.estimate.T_camera_object = best->estimate.T_camera_object;
-  result.estimate.coefficients = best->estimate.coefficients;
-  result.estimate.status = Judge(view, *best, projected, association);
-  result.estimate.covariance = PoseCovariance(view, best->hypothesis.sides, best->matches, projected,
-                                              best->estimate, association.box, resection);
-  result.estimate.rms_pixels = RmsPixels(best->matches);
-  result.estimate.matches = std::move(best->matches);
-  result.estimate.cost = best->cost;
-  result.estimate.iterations = best->iterations;
+  {
+    const StageClock clock(times.optimization_ms);
+    Measure(view, *best, association, resection, result);
+    Describe(view, std::move(*best), association, resection, result);
+  }
   return result;
 }
 

@@ -16,7 +16,7 @@ ObjectView MakeView(const Detection& detection, const std::vector<Segment>& segm
   view.detection = detection;
   view.detection.box = UndistortBox(camera, detection.box);
   const Box& box = view.detection.box;
-  view.sides = SidesAtImageBorder(box, camera, options.association.box.cut_tolerance);
+  view.sides = SidesAtImageBorder(box, camera);
   const double margin = options.lines.box_margin * std::max(box.width, box.height);
   view.segments =
       SegmentsInBox(segments, box.Grown(margin), options.lines.min_length, options.association.max_segments);

@@ -14,12 +14,8 @@
 namespace armature {
 namespace {
 
-NormalTerm NormalTermFromName(const std::string& name) {
-  if (name == "axis") return NormalTerm::kAxis;
-  if (name == "base") return NormalTerm::kBase;
-  if (name == "printed") return NormalTerm::kPrinted;
-  return NormalTerm::kNone;
-}
+// Pixels: a segment of this length has full weight, shorter ones less; tuned on office_dev and redkitchen_a.
+constexpr double kFullLength = 60;
 
 // The line through a segment in pixels, a^2 + b^2 = 1.
 Eigen::Vector3d LineThrough(const Segment& segment) {
@@ -41,12 +37,12 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
     const ProjectedEdge& edge = projected.edges[static_cast<size_t>(match.edge)];
     if (edge.length <= 0) continue;
     const Eigen::Vector3d line = LineThrough(match.segment);
-    const double weight = std::sqrt(std::min(1.0, match.segment.length() / options.full_length));
+    const double weight = std::sqrt(std::min(1.0, match.segment.length() / kFullLength));
     const double sigma = std::hypot(options.segment_sigma, edge.slack);
     for (const Eigen::Vector2d& end : {match.segment.p1, match.segment.p2}) {
       ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
       point.X0.y() -= edge.drop;
-      problem.line_terms.push_back({point, line, weight / sigma, options.loss_scale, false});
+      problem.line_terms.push_back({point, line, weight / sigma, kSegmentLossScale, false});
     }
   }
 }
@@ -133,19 +129,17 @@ void AddFloor(const ObjectView& view, const PoseAndShape& start, ResectionProble
                                  view.floor->camera_height, 1 / view.floor->sigma, 3.0});
 }
 
-ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
-                             const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                             const PoseAndShape& start, const BoxOptions& box_options,
-                             const ResectionOptions& options) {
+ResectionProblem MakeProblem(const ResectionInput& input) {
+  const auto& [view, sides, matches, projected, at, box, options] = input;
   ResectionProblem problem;
   problem.camera = view.camera;
   problem.model = view.model;
-  problem.R0 = start.T_camera_object.linear();
-  problem.T0 = start.T_camera_object.translation();
+  problem.R0 = at.T_camera_object.linear();
+  problem.T0 = at.T_camera_object.translation();
   problem.shape_weight = options.shape_weight;
-  if (view.memory) problem.memory = &*view.memory;
+  if (view.track_prior) problem.track_prior = &*view.track_prior;
   if (view.up_camera) {
-    problem.normal_term = NormalTermFromName(options.normal_term);
+    problem.normal_term = options.normal_term;
     problem.up_camera = *view.up_camera;
     problem.up_weight = 1 / (options.up_sigma_deg * kDegree);
   } else {
@@ -153,12 +147,12 @@ ResectionProblem MakeProblem(const ObjectView& view, const BoxSides& sides,
   }
   problem.line_terms.reserve(2 * matches.size() + 4);
   AddMatches(matches, projected, options, problem);
-  AddBox(view, sides, projected, box_options, options, problem);
-  AddFloor(view, start, problem);
+  AddBox(view, sides, projected, box, options, problem);
+  AddFloor(view, at, problem);
   return problem;
 }
 
-// The paper's turns: pose with the shape held, then shape with the pose held.
+// The paper's turns: pose with the shape held (eq. 24), then shape with the pose held (eq. 25).
 SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& options, Eigen::VectorXd& x,
                               int alternations) {
   SolverResult result;
@@ -167,7 +161,7 @@ SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& op
       problem.pose_is_free = pose;
       problem.shape_is_free = !pose;
       const SolverResult half = SolveResectionWithCeres(problem, options, x);
-      result = {half.cost, result.iterations + half.iterations};
+      result = {half.cost, result.iterations + half.iterations, half.stop};
     }
   }
   return result;
@@ -175,8 +169,9 @@ SolverResult SolveAlternating(ResectionProblem& problem, const SolverOptions& op
 
 SolverResult Solve(ResectionProblem& problem, const ResectionOptions& options, Eigen::VectorXd& x) {
   const SolverOptions solver{.max_iterations = options.max_iterations};
-  if (options.mode == "alternating") return SolveAlternating(problem, solver, x, options.alternations);
-  if (options.solver == "ceres") return SolveResectionWithCeres(problem, solver, x);
+  if (options.mode == ResectionMode::kAlternating)
+    return SolveAlternating(problem, solver, x, options.alternations);
+  if (options.solver == ResectionSolver::kCeres) return SolveResectionWithCeres(problem, solver, x);
   return SolveResection(problem, solver, x);
 }
 
@@ -206,41 +201,30 @@ ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coe
   ResectionResult result;
   result.iterations = solved.iterations;
   result.cost = solved.cost;
-  result.finite = x.allFinite();
+  result.stop = x.allFinite() ? solved.stop : StopReason::kNotFinite;
   result.estimate.T_camera_object.linear() = ExpSO3(x.head<3>()) * problem.R0;
   result.estimate.T_camera_object.translation() = problem.T0 + x.segment<3>(3);
   result.estimate.coefficients = x.tail(problem.Modes());
   return result;
 }
 
-ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start,
-                       const BoxOptions& box_options, const ResectionOptions& options) {
-  ResectionProblem problem = MakeProblem(view, sides, matches, projected, start, box_options, options);
-  return ResectFrom(problem, start.coefficients, options);
+ResectionResult Resect(const ResectionInput& input) {
+  ResectionProblem problem = MakeProblem(input);
+  return ResectFrom(problem, input.at.coefficients, input.options);
 }
 
-Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches,
-                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
-                                           const BoxOptions& box_options, const ResectionOptions& options) {
-  const ResectionProblem problem =
-      MakeProblem(view, sides, matches, projected, estimate, box_options, options);
-  return Covariance(problem, estimate.coefficients).topLeftCorner<6, 6>();
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ResectionInput& input) {
+  return Covariance(MakeProblem(input), input.at.coefficients).topLeftCorner<6, 6>();
 }
 
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
-                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                          const PoseAndShape& optimum, const BoxOptions& box_options,
-                          const ResectionOptions& options) {
-  const ResectionProblem problem =
-      MakeProblem(view, sides, matches, projected, optimum, box_options, options);
-  return {optimum, Covariance(problem, optimum.coefficients), problem.shape_weight * problem.shape_weight};
+Measurement MeasurementAt(const ResectionInput& optimum) {
+  const ResectionProblem problem = MakeProblem(optimum);
+  return {optimum.at, Covariance(problem, optimum.at.coefficients),
+          problem.shape_weight * problem.shape_weight};
 }
 
-ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                         const ProjectedWireframe& projected, const PoseAndShape& at,
-                         const BoxOptions& box_options, const ResectionOptions& options) {
+ImageEvidence EvidenceAt(const ResectionInput& input) {
+  const auto& [view, sides, matches, projected, at, box, options] = input;
   ResectionProblem problem;
   problem.camera = view.camera;
   problem.model = view.model;
@@ -250,7 +234,7 @@ ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const st
   problem.shape_weight = 0;
   AddMatches(matches, projected, options, problem);
   AddLegEnds(matches, projected, options, problem);
-  AddBox(view, sides, projected, box_options, options, problem);
+  AddBox(view, sides, projected, box, options, problem);
   const Eigen::VectorXd x = UnknownsAt(problem, at.coefficients);
   const auto equations = Linearise<Eigen::Dynamic>(problem, x.data());
   return {equations.information, equations.gradient};

@@ -4,54 +4,86 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <string>
 
 #include "association/box_constraints.h"
 #include "association/object_view.h"
 #include "resection/object_estimate.h"
 #include "resection/resection_problem.h"
+#include "resection/resection_solver.h"
 
 namespace armature {
 
+enum class ResectionMode {
+  kJoint,        // pose and shape together
+  kAlternating,  // the paper's turns
+};
+
+template <>
+struct EnumNames<ResectionMode> {
+  static constexpr NamedValue<ResectionMode> kTable[] = {{ResectionMode::kJoint, "joint"},
+                                                         {ResectionMode::kAlternating, "alternating"}};
+};
+
+enum class ResectionSolver {
+  kSmall,  // our own, of fixed size
+  kCeres,  // the reference, ceres::TinySolver
+};
+
+template <>
+struct EnumNames<ResectionSolver> {
+  static constexpr NamedValue<ResectionSolver> kTable[] = {{ResectionSolver::kSmall, "small"},
+                                                           {ResectionSolver::kCeres, "ceres"}};
+};
+
 struct ResectionOptions {
-  std::string mode = "joint";    // "joint": pose and shape together; "alternating": the paper's turns
-  std::string solver = "small";  // "small": our own, fixed-size; "ceres": the reference. Mode "joint" only
-  std::string normal_term = "axis";  // "none", "axis", "base", "printed": see resection_problem.h
-  int max_iterations = 5;            // of the optimiser, each round
-  int alternations = 5;              // of mode "alternating"
-  double segment_sigma = 2.0;        // pixels: standard deviation of a segment's end from its edge
-  double leg_end_sigma = 1;          // of where a leg's segments end, in segment_sigma; 0: not used. Only
-                                     // EvidenceAt uses it
-  double full_length = 60;           // pixels: a segment of this length has full weight, shorter ones less
-  double loss_scale = 3.0;           // standard deviations, of the Geman-McClure loss on segments
-  double box_weight = 1.0;           // multiplies the box's residuals; 0: none
-  double box_loss_scale = 3.0;       // standard deviations
-  double up_sigma_deg = 1.5;         // degrees: of the up direction
-  double shape_weight = 0.7;         // multiplies the coefficients in the regulariser
+  ResectionMode mode = ResectionMode::kJoint;
+  ResectionSolver solver = ResectionSolver::kSmall;  // of mode kJoint; kAlternating always has kCeres
+  NormalTerm normal_term = NormalTerm::kAxis;
+  int max_iterations = 5;       // of the optimiser, each round
+  int alternations = 5;         // of mode kAlternating
+  double segment_sigma = 2.0;   // pixels: standard deviation of a segment's end from its edge
+  double leg_end_sigma = 1;     // of where a leg's segments end, in segment_sigma; 0: not used. Only
+                                // EvidenceAt uses it
+  double box_weight = 1.0;      // multiplies the box's residuals; 0: none
+  double box_loss_scale = 3.0;  // standard deviations; the map's refinement begins with more
+  double up_sigma_deg = 1.5;    // degrees: of the up direction
+  double shape_weight = 0.7;    // multiplies the coefficients in the regulariser
+};
+
+// Standard deviations, of the Geman-McClure loss on segments; tuned on office_dev and redkitchen_a.
+inline constexpr double kSegmentLossScale = 3;
+
+// What resection looks at: the matches of one view about a pose and shape. It lives no longer than what it
+// refers to.
+struct ResectionInput {
+  const ObjectView& view;
+  const BoxSides& sides;
+  const std::vector<EdgeMatch>& matches;
+  const ProjectedWireframe& projected;  // of `at`
+  const PoseAndShape& at;
+  const BoxOptions& box;
+  const ResectionOptions& options;
 };
 
 struct ResectionResult {
   PoseAndShape estimate;
   double cost = 0;  // half the squared norm of the robust, whitened residuals
   int iterations = 0;
-  bool finite = true;
+  StopReason stop = StopReason::kMaxIterations;  // alternating: of the last half turn
+
+  bool finite() const { return stop != StopReason::kNotFinite; }
 };
 
 // The minimum of any such problem, from its own pose and the given shape, by the options' mode and solver.
 ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coefficients,
                            const ResectionOptions& options);
 
-// One round: matches and the box's extreme points stay as they are at `start` (`projected` is its
-// projection).
-ResectionResult Resect(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                       const ProjectedWireframe& projected, const PoseAndShape& start,
-                       const BoxOptions& box_options, const ResectionOptions& options);
+// One round, from `at`: matches and the box's extreme points stay as they are there. Eq. 16, or 24 and 25 by
+// turns.
+ResectionResult Resect(const ResectionInput& input);
 
-// Covariance of the pose (see ObjectEstimate) at the given estimate, shape marginalised.
-Eigen::Matrix<double, 6, 6> PoseCovariance(const ObjectView& view, const BoxSides& sides,
-                                           const std::vector<EdgeMatch>& matches,
-                                           const ProjectedWireframe& projected, const PoseAndShape& estimate,
-                                           const BoxOptions& box_options, const ResectionOptions& options);
+// Covariance of the pose (see ObjectEstimate) at the estimate, shape marginalised.
+Eigen::Matrix<double, 6, 6> PoseCovariance(const ResectionInput& input);
 
 // What one image says about pose and shape, for filters over many images.
 struct Measurement {
@@ -63,20 +95,15 @@ struct Measurement {
   // with every image.
   double shape_prior_information = 0;
 };
-Measurement MeasurementAt(const ObjectView& view, const BoxSides& sides,
-                          const std::vector<EdgeMatch>& matches, const ProjectedWireframe& projected,
-                          const PoseAndShape& optimum, const BoxOptions& box_options,
-                          const ResectionOptions& options);
+Measurement MeasurementAt(const ResectionInput& optimum);
 
-// The cost of this image's lines and box alone (no up, floor, memory or shape statistics) about a pose and
-// shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
+// The cost of this image's lines and box alone (no up, floor, track prior or shape statistics) about a pose
+// and shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
 // coefficients), 6 + B numbers, the rotation and translation as of ObjectEstimate::covariance.
 struct ImageEvidence {
   Eigen::MatrixXd information;  // (6+B) x (6+B), of Gauss and Newton: positive semi-definite
   Eigen::VectorXd gradient;     // 6+B
 };
-ImageEvidence EvidenceAt(const ObjectView& view, const BoxSides& sides, const std::vector<EdgeMatch>& matches,
-                         const ProjectedWireframe& projected, const PoseAndShape& at,
-                         const BoxOptions& box_options, const ResectionOptions& options);
+ImageEvidence EvidenceAt(const ResectionInput& input);
 
 }  // namespace armature

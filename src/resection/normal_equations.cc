@@ -41,22 +41,22 @@ void AddRegulariser(const ResectionProblem& problem, const ResectionState& state
 //   J^T (a r) = a^4 M^T r,   J^T J = a^2 M^T M - (a^4/c^2) (1 + a^2) (M^T r)(M^T r)^T,
 // where M^T r and M^T M are rows and blocks of I d and I.
 template <int kModes>
-void AddMemory(const ResectionProblem& problem, const ResectionState& state,
-               NormalEquations<kModes>& equations) {
+void AddTrackPrior(const ResectionProblem& problem, const ResectionState& state,
+                   NormalEquations<kModes>& equations) {
   using Vector = typename NormalEquations<kModes>::Vector;
-  const TrackPrior& memory = *problem.memory;
+  const TrackPrior& prior = *problem.track_prior;
   const Eigen::Index modes = problem.Modes();
-  const auto difference = memory.Difference(state.R, state.T, state.lambda);
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + kMaxModes, 1> push = memory.information * difference;
+  const auto difference = prior.Difference(state.R, state.T, state.lambda);
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + kMaxModes, 1> push = prior.information * difference;
   const double squared = difference.dot(push);
   const double a2 = std::pow(GroupWeight(squared, problem.memory_loss_scale), 2);
   const double c2 = problem.memory_loss_scale * problem.memory_loss_scale;
-  const Eigen::Vector3d by_rotation = YawByRotation(memory, state);
+  const Eigen::Vector3d by_rotation = YawByRotation(prior, state);
   // z is (T, yaw, lambda), x is (w, v, lambda).
   Vector m(6 + modes);
   m << by_rotation * push(3), push.template head<3>(), push.tail(modes);
   typename NormalEquations<kModes>::Matrix& H = equations.information;
-  const Eigen::MatrixXd& I = memory.information;
+  const Eigen::MatrixXd& I = prior.information;
   H.template topLeftCorner<3, 3>() += a2 * I(3, 3) * by_rotation * by_rotation.transpose();
   H.template block<3, 3>(3, 0) += a2 * I.col(3).template head<3>() * by_rotation.transpose();
   H.bottomLeftCorner(modes, 3) += a2 * I.col(3).tail(modes) * by_rotation.transpose();
@@ -81,8 +81,8 @@ NormalEquations<kModes> Linearise(const ResectionProblem& problem, const double*
     AddPointRow(state, term.point, PlaneRow(term, state), equations);
   }
   AddNormal(problem, state, equations);
-  if (problem.memory) {
-    AddMemory(problem, state, equations);
+  if (problem.track_prior) {
+    AddTrackPrior(problem, state, equations);
   } else {
     AddRegulariser(problem, state, equations);
   }

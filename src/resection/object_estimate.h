@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "association/edge_match.h"
+#include "resection/resection_solver.h"
 
 namespace armature {
 
@@ -30,8 +31,9 @@ struct ObjectEstimate {
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   std::vector<EdgeMatch> matches;
   double cost = 0;  // the association's cost of this estimate, smaller is better, see association/cost.h
-  double rms_pixels = 0;  // of the matched segments' ends from their projected edges
-  int iterations = 0;     // of the optimiser, all rounds of the winning hypothesis
+  double rms_pixels = 0;                         // of the matched segments' ends from their projected edges
+  int iterations = 0;                            // of the optimiser, all rounds of the winning hypothesis
+  StopReason stop = StopReason::kMaxIterations;  // of its last round
   bool ambiguous =
       false;  // another, clearly different turn explains the lines equally well; the prior decided
 };

@@ -17,17 +17,17 @@ void FillPointRow(const ResectionState& state, const ShapePoint& point, const Po
 }
 
 // r = L^T (z - z_expected), scaled as a whole.
-void FillMemoryRows(const ResectionProblem& problem, const ResectionState& state, int row, double* residuals,
-                    Jacobian* J) {
-  const TrackPrior& memory = *problem.memory;
-  const Eigen::VectorXd r = memory.sqrt_information * memory.Difference(state.R, state.T, state.lambda);
+void FillTrackPriorRows(const ResectionProblem& problem, const ResectionState& state, int row,
+                        double* residuals, Jacobian* J) {
+  const TrackPrior& prior = *problem.track_prior;
+  const Eigen::VectorXd r = prior.sqrt_information * prior.Difference(state.R, state.T, state.lambda);
   const double a = GroupWeight(r.squaredNorm(), problem.memory_loss_scale);
   Eigen::Map<Eigen::VectorXd>(residuals + row, r.size()) = a * r;
   if (!J) return;
   Eigen::MatrixXd by_x = Eigen::MatrixXd::Zero(r.size(), problem.NumParameters());
-  by_x.leftCols<3>() = memory.sqrt_information.col(3) * YawByRotation(memory, state).transpose();
-  by_x.middleCols<3>(3) = memory.sqrt_information.leftCols<3>();
-  by_x.rightCols(problem.Modes()) = memory.sqrt_information.rightCols(problem.Modes());
+  by_x.leftCols<3>() = prior.sqrt_information.col(3) * YawByRotation(prior, state).transpose();
+  by_x.middleCols<3>(3) = prior.sqrt_information.leftCols<3>();
+  by_x.rightCols(problem.Modes()) = prior.sqrt_information.rightCols(problem.Modes());
   const double c2 = problem.memory_loss_scale * problem.memory_loss_scale;
   J->middleRows(row, r.size()) = a * by_x - (a * a * a / c2) * r * (r.transpose() * by_x);
 }
@@ -81,8 +81,8 @@ bool ResectionProblem::operator()(const double* parameters, double* residuals, d
   Eigen::Map<Eigen::Vector3d>(residuals + row) = normal.residuals;
   if (jacobian) J.middleRows<3>(row) = normal.by_unknowns;
   row += 3;
-  if (memory) {
-    FillMemoryRows(*this, state, row, residuals, J_or_null);
+  if (track_prior) {
+    FillTrackPriorRows(*this, state, row, residuals, J_or_null);
   } else {
     FillRegulariserRows(*this, state, row, residuals, J_or_null);
   }

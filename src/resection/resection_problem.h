@@ -3,9 +3,9 @@
 //
 // Unknowns x = (w, v, lambda): R = exp(w) R0, T = T0 + v, shape = mean + basis * (deviations .* lambda).
 //
-// The paper constrains the plane through the camera and a segment (normal N) twice, eqs. normal_constraint1
-// and 2:
-//   N . (R D) = 0   and   N . (R M + T) = 0.
+// The paper constrains the plane through the camera and a segment (normal N) twice, eqs. 17
+// and 18:
+//   N . (R M + T) = 0   and   N . (R D) = 0.
 // Any point X = M + s D of the edge then satisfies N . (R X + T) = (N . (R M + T)) + s (N . R D) = 0. We take
 // the two points whose images lie nearest to the segment's ends and divide by the depth: with N = K^T l, l
 // the segment's line in pixels, l = (a, b, c), a^2 + b^2 = 1, both residuals become the distance in pixels
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "association/object_view.h"
+#include "base/enum_names.h"
 #include "category/category_model.h"
 #include "geometry/camera.h"
 
@@ -66,7 +67,15 @@ enum class NormalTerm {
   kAxis,  // the object's y axis is up (models stand upright in their frame, so this holds whatever the seat's
           // slope)
   kBase,  // the base's normal R D1 x R D2, normalised, is up
-  kPrinted,  // (R M1 + T) x (R M2 + T) = Y, as the paper prints eq. phi_normal
+  kPrinted,  // (R M1 + T) x (R M2 + T) = Y, as the paper prints eq. 20
+};
+
+template <>
+struct EnumNames<NormalTerm> {
+  static constexpr NamedValue<NormalTerm> kTable[] = {{NormalTerm::kNone, "none"},
+                                                      {NormalTerm::kAxis, "axis"},
+                                                      {NormalTerm::kBase, "base"},
+                                                      {NormalTerm::kPrinted, "printed"}};
 };
 
 struct ResectionProblem {
@@ -86,14 +95,14 @@ struct ResectionProblem {
   double shape_weight = 1;              // of each coefficient in standard deviations
   // What earlier frames say, instead of the shape's regulariser; none: null. Its 4 + B whitened residuals
   // share one robust loss: the memory is right or wrong as a whole.
-  const TrackPrior* memory = nullptr;
+  const TrackPrior* track_prior = nullptr;
   double memory_loss_scale = 5;  // standard deviations
   // Which unknowns may move; the paper alternates between pose and shape.
   bool pose_is_free = true;
   bool shape_is_free = true;
 
   int Modes() const { return static_cast<int>(model->modes()); }
-  int PriorRows() const { return Modes() + (memory ? 4 : 0); }  // regulariser or memory
+  int PriorRows() const { return Modes() + (track_prior ? 4 : 0); }  // regulariser or memory
   int NumParameters() const { return 6 + Modes(); }
   int NumResiduals() const {
     return static_cast<int>(line_terms.size() + plane_terms.size()) + 3 + PriorRows();

@@ -106,9 +106,9 @@ NormalRows MakeNormalRows(const ResectionProblem& problem, const ResectionState&
   return rows;
 }
 
-Eigen::Vector3d YawByRotation(const TrackPrior& memory, const ResectionState& state) {
+Eigen::Vector3d YawByRotation(const TrackPrior& prior, const ResectionState& state) {
   // d(R e_z) = -[R e_z]x dw, and g^T (-[v]x) = (v x g)^T
-  return state.R.col(2).cross(memory.AheadOfFront());
+  return state.R.col(2).cross(prior.AheadOfFront());
 }
 
 double GroupWeight(double squared, double loss_scale) {

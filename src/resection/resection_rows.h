@@ -43,8 +43,8 @@ struct NormalRows {
 };
 NormalRows MakeNormalRows(const ResectionProblem& problem, const ResectionState& state);
 
-// The direction dw in which the memory's yaw (number 3 of its z) grows: its derivative by dw.
-Eigen::Vector3d YawByRotation(const TrackPrior& memory, const ResectionState& state);
+// The direction dw in which the prior's yaw (number 3 of its z) grows: its derivative by dw.
+Eigen::Vector3d YawByRotation(const TrackPrior& prior, const ResectionState& state);
 
 // The factor a = 1 / sqrt(1 + squared / c^2) that makes a group of residuals robust as a whole.
 double GroupWeight(double squared, double loss_scale);

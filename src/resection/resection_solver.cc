@@ -24,13 +24,20 @@ SolverResult Solve(const ResectionProblem& problem, const SolverOptions& options
   Vector x = solution;
   Equations at_x = Linearise<kModes>(problem, x.data());
   double damping = kFirstDamping, growth = 2;
+  StopReason stop = StopReason::kMaxIterations;
   int iteration = 1;
   for (; iteration < options.max_iterations; ++iteration) {
-    if (at_x.gradient.cwiseAbs().maxCoeff() < kGradientTolerance) break;
+    if (at_x.gradient.cwiseAbs().maxCoeff() < kGradientTolerance) {
+      stop = StopReason::kGradient;
+      break;
+    }
     typename Equations::Matrix damped = at_x.information;
     damped.diagonal() += damping * at_x.information.diagonal().cwiseMax(kLeastDiagonal);
     const Vector step = -damped.ldlt().solve(at_x.gradient);
-    if (step.norm() < options.parameter_tolerance * (x.norm() + options.parameter_tolerance)) break;
+    if (step.norm() < options.parameter_tolerance * (x.norm() + options.parameter_tolerance)) {
+      stop = StopReason::kStep;
+      break;
+    }
     const Vector next = x + step;
     // Most steps are taken, so the derivatives come along at once.
     const Equations at_next = Linearise<kModes>(problem, next.data());
@@ -46,13 +53,48 @@ SolverResult Solve(const ResectionProblem& problem, const SolverOptions& options
       damping *= growth;
       growth *= 2;
     }
-    if (std::abs(change) < options.function_tolerance) break;
+    if (std::abs(change) < options.function_tolerance) {
+      stop = StopReason::kCost;
+      break;
+    }
   }
   solution = x;
-  return {at_x.cost, iteration};
+  return {at_x.cost, iteration, stop};
+}
+
+StopReason TranslateStatus(ceres::TinySolver<ResectionProblem>::Status status) {
+  using Solver = ceres::TinySolver<ResectionProblem>;
+  switch (status) {
+    case Solver::GRADIENT_TOO_SMALL:
+      return StopReason::kGradient;
+    case Solver::RELATIVE_STEP_SIZE_TOO_SMALL:
+      return StopReason::kStep;
+    case Solver::COST_TOO_SMALL:
+    case Solver::COST_CHANGE_TOO_SMALL:
+      return StopReason::kCost;
+    case Solver::HIT_MAX_ITERATIONS:
+      return StopReason::kMaxIterations;
+  }
+  return StopReason::kMaxIterations;
 }
 
 }  // namespace
+
+std::string_view StopReasonName(StopReason reason) {
+  switch (reason) {
+    case StopReason::kGradient:
+      return "gradient";
+    case StopReason::kStep:
+      return "step";
+    case StopReason::kCost:
+      return "cost";
+    case StopReason::kMaxIterations:
+      return "max_iterations";
+    case StopReason::kNotFinite:
+      return "not_finite";
+  }
+  return "unknown";
+}
 
 SolverResult SolveResection(const ResectionProblem& problem, const SolverOptions& options,
                             Eigen::VectorXd& x) {
@@ -66,7 +108,7 @@ SolverResult SolveResectionWithCeres(const ResectionProblem& problem, const Solv
   solver.options.function_tolerance = options.function_tolerance;
   solver.options.parameter_tolerance = options.parameter_tolerance;
   const auto summary = solver.Solve(problem, &x);
-  return {summary.final_cost, summary.iterations};
+  return {summary.final_cost, summary.iterations, TranslateStatus(summary.status)};
 }
 
 }  // namespace armature

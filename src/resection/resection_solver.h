@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
+#include <string_view>
 
 #include "resection/resection_problem.h"
 
@@ -15,9 +15,21 @@ struct SolverOptions {
   double parameter_tolerance = 1e-4;  // of a step against the unknowns
 };
 
+// Why a solver stopped.
+enum class StopReason {
+  kGradient,       // the gradient vanishes: a minimum
+  kStep,           // the next step would be too small to matter: a minimum
+  kCost,           // the last step hardly changed the cost: a minimum, to the tolerance
+  kMaxIterations,  // it was still on the way
+  kNotFinite,      // it left the numbers: the result is of no use
+};
+std::string_view StopReasonName(
+    StopReason reason);  // "gradient", "step", "cost", "max_iterations", "not_finite"
+
 struct SolverResult {
   double cost = 0;  // half the squared norm of the residuals
   int iterations = 0;
+  StopReason stop = StopReason::kMaxIterations;
 };
 
 // Our own: normal equations of a size known to the compiler (B = 7; any other number is as right and a little

@@ -7,13 +7,19 @@
 
 namespace armature {
 
+struct EstimatorTimes {        // milliseconds, wall clock
+  double association_ms = 0;   // paper 3.3: hypotheses, costs, matches
+  double optimization_ms = 0;  // paper 3.4
+};
+
 struct SingleViewResult {
   ObjectEstimate estimate;
-  // The same matches without what earlier frames said (memory, floor): what this image alone measures, to
-  // learn from. Learning from the estimate would count the memory twice.
+  // The same matches without what earlier frames said (track prior, floor): what this image alone measures,
+  // to learn from. Learning from the estimate would count it twice.
   Measurement measured;
   ImageEvidence evidence;  // the same again without up and shape statistics, about measured.estimate
   PoseAndShape initial;    // the winning hypothesis before resection
+  EstimatorTimes times;
 };
 
 }  // namespace armature

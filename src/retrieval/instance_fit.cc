@@ -9,6 +9,8 @@
 namespace armature {
 namespace {
 
+constexpr double kScoreGate = 4;  // pixels, of the matches that count in the end
+
 MapGraph MakeGraph(const ObjectSightings& sightings, const CategoryModel& model) {
   MapGraph graph;
   graph.T_world_camera = sightings.T_world_camera;
@@ -31,9 +33,8 @@ double ViewCost(const ObjectView& view, const PoseAndShape& at, const Wireframe&
   ProjectedWireframe projected;
   ProjectWireframe(*view.camera, view.model->spec, wireframe, at.T_camera_object,
                    ClipBox(view.detection.box, view.sides, *view.camera), view.occluders, projected);
-  const MatchGate gate{options.score_gate_pixels, options.refinement.gate_angle_deg * kDegree};
-  return LineCost(view, projected, MatchSegments(projected, view.segments, gate).covered_length,
-                  options.cost) +
+  const MatchGate gate{kScoreGate, kRefinementAngleDeg * kDegree};
+  return LineCost(projected, MatchSegments(projected, view.segments, gate).covered_length) +
          PriorCost(view, at, wireframe, view.sides, projected, options.box, options.cost);
 }
 
@@ -56,7 +57,7 @@ InstanceFit FitInstance(const ObjectSightings& sightings, const CategorySpec& sp
   const ObjectOfObservation phi(frames.size(), {0});
   MapGraph graph = MakeGraph(sightings, model);
   MapSolverOptions solver = options.solver;
-  solver.max_iterations = options.refinement.iterations;
+  solver.max_iterations = kRefinementSteps;
   solver.shape_weight = 1;  // the sigma of the only mode, its size, is as it is given
   for (int round = 0; round < options.refinement.rounds; ++round) {
     Relinearise(frames, phi, round, options.box, options.resection, options.refinement, graph);

@@ -25,7 +25,6 @@ struct ObjectSightings {
 struct InstanceFitOptions {
   double size_sigma = 0.01;  // of the logarithm of the map's scale, in which a model of known size may err
   RefinementOptions refinement{.rounds = 4, .first_gate_pixels = 10, .last_gate_pixels = 3};
-  double score_gate_pixels = 4;  // of the matches that count in the end
   BoxOptions box;
   ResectionOptions resection;
   MapSolverOptions solver;

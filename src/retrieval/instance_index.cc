@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "base/errors.h"
-#include "base/nearest_name.h"
 #include "retrieval/neighbour_sets.h"
 #include "retrieval/seeded_flann.h"
 
@@ -23,9 +22,6 @@ void CheckAtLeast(const char* parameter, int value, int least) {
 }
 
 void CheckMethod(const IndexMethod& m) {
-  const std::vector<std::string>& known = IndexMethodNames();
-  if (std::find(known.begin(), known.end(), m.name) == known.end())
-    throw InputError(UnknownNameMessage("method of the index", m.name, known));
   CheckAtLeast("leaf_size", m.leaf_size, 1);
   CheckAtLeast("trees", m.trees, 1);
   CheckAtLeast("branching", m.branching, 2);
@@ -39,19 +35,21 @@ std::unique_ptr<FlannIndex> MakeFlannIndex(Eigen::MatrixXf& features, const Inde
   const flann::Matrix<float> points(features.data(), static_cast<size_t>(features.cols()),
                                     static_cast<size_t>(features.rows()));
   const FeatureDistance distance(m.seed);
-  if (m.name == "kdtree_single") {
-    return std::make_unique<flann::KDTreeSingleIndex<FeatureDistance>>(
-        points, flann::KDTreeSingleIndexParams(m.leaf_size), distance);
+  switch (m.kind) {
+    case IndexKind::kLinear:
+      return std::make_unique<flann::LinearIndex<FeatureDistance>>(points, flann::LinearIndexParams(),
+                                                                   distance);
+    case IndexKind::kKdTreeSingle:
+      return std::make_unique<flann::KDTreeSingleIndex<FeatureDistance>>(
+          points, flann::KDTreeSingleIndexParams(m.leaf_size), distance);
+    case IndexKind::kKdTree:
+      return std::make_unique<flann::KDTreeIndex<FeatureDistance>>(points, flann::KDTreeIndexParams(m.trees),
+                                                                   distance);
+    case IndexKind::kKMeans:
+      return std::make_unique<flann::KMeansIndex<FeatureDistance>>(
+          points, flann::KMeansIndexParams(m.branching, m.iterations, flann::FLANN_CENTERS_RANDOM), distance);
   }
-  if (m.name == "kdtree") {
-    return std::make_unique<flann::KDTreeIndex<FeatureDistance>>(points, flann::KDTreeIndexParams(m.trees),
-                                                                 distance);
-  }
-  if (m.name == "kmeans") {
-    return std::make_unique<flann::KMeansIndex<FeatureDistance>>(
-        points, flann::KMeansIndexParams(m.branching, m.iterations, flann::FLANN_CENTERS_RANDOM), distance);
-  }
-  return std::make_unique<flann::LinearIndex<FeatureDistance>>(points, flann::LinearIndexParams(), distance);
+  std::abort();
 }
 
 std::string Saved(FlannIndex& index) {
@@ -137,7 +135,7 @@ size_t InstanceIndex::memory_bytes() const {
   if (!self.flann) return 0;
   const size_t features = static_cast<size_t>(self.features.size()) * sizeof(float);
   const size_t pointers = static_cast<size_t>(instances()) * sizeof(float*);
-  const bool has_copy = self.method.name == "kdtree_single";
+  const bool has_copy = self.method.kind == IndexKind::kKdTreeSingle;
   return (has_copy ? 2 : 1) * features + pointers + static_cast<size_t>(self.flann->usedMemory());
 }
 
@@ -157,19 +155,22 @@ const Eigen::MatrixXf& InstanceIndex::features() const { return implementation_-
 std::string InstanceIndex::Description() const { return DescribeMethod(implementation_->method); }
 
 std::string DescribeMethod(const IndexMethod& m) {
-  if (m.name == "kdtree_single") return fmt::format("{} leaf_size={}", m.name, m.leaf_size);
-  if (m.name == "kdtree") return fmt::format("{} trees={} seed={}", m.name, m.trees, m.seed);
-  if (m.name == "kmeans") {
-    return fmt::format("{} branching={} iterations={} seed={}", m.name, m.branching, m.iterations, m.seed);
+  const char* name = ToName(m.kind);
+  switch (m.kind) {
+    case IndexKind::kLinear:
+      return name;
+    case IndexKind::kKdTreeSingle:
+      return fmt::format("{} leaf_size={}", name, m.leaf_size);
+    case IndexKind::kKdTree:
+      return fmt::format("{} trees={} seed={}", name, m.trees, m.seed);
+    case IndexKind::kKMeans:
+      return fmt::format("{} branching={} iterations={} seed={}", name, m.branching, m.iterations, m.seed);
   }
-  return m.name;
+  std::abort();
 }
 
-const std::vector<std::string>& IndexMethodNames() {
-  static const std::vector<std::string> names{"linear", "kdtree_single", "kdtree", "kmeans"};
-  return names;
+bool IsExact(const IndexMethod& method) {
+  return method.kind == IndexKind::kLinear || method.kind == IndexKind::kKdTreeSingle;
 }
-
-bool IsExact(const IndexMethod& method) { return method.name == "linear" || method.name == "kdtree_single"; }
 
 }  // namespace armature

@@ -8,13 +8,28 @@
 #include <string>
 #include <vector>
 
+#include "base/enum_names.h"
+
 namespace armature {
 
-// How neighbours are found; the parameters of other methods are ignored.
+enum class IndexKind {
+  kLinear,        // an exact scan
+  kKdTreeSingle,  // one KD-tree, exact
+  kKdTree,        // randomised KD-trees, approximate
+  kKMeans,        // a hierarchical k-means tree, approximate
+};
+
+template <>
+struct EnumNames<IndexKind> {
+  static constexpr NamedValue<IndexKind> kTable[] = {{IndexKind::kLinear, "linear"},
+                                                     {IndexKind::kKdTreeSingle, "kdtree_single"},
+                                                     {IndexKind::kKdTree, "kdtree"},
+                                                     {IndexKind::kKMeans, "kmeans"}};
+};
+
+// How neighbours are found; the parameters of other kinds are ignored.
 struct IndexMethod {
-  // "linear": an exact scan; "kdtree_single": one KD-tree, exact; "kdtree": randomised KD-trees, approximate;
-  // "kmeans": a hierarchical k-means tree, approximate
-  std::string name = "kdtree_single";
+  IndexKind kind = IndexKind::kKdTreeSingle;
   int leaf_size = 10;      // kdtree_single: instances a leaf
   int trees = 4;           // kdtree
   int branching = 32;      // kmeans
@@ -38,7 +53,7 @@ inline bool IsNearer(const Neighbour& a, const Neighbour& b) {
 class InstanceIndex {
  public:
   // `features`: D x N, a column an instance, finite; N = 0 is an index that finds nothing. The same seed
-  // builds the same structure. Throws InputError for an unknown name or a parameter out of range.
+  // builds the same structure. Throws InputError for a parameter out of range.
   InstanceIndex(Eigen::MatrixXf features, const IndexMethod& method);
   ~InstanceIndex();
   InstanceIndex(InstanceIndex&&) noexcept;
@@ -75,9 +90,6 @@ class InstanceIndex {
 
 // Description() of an index by this method.
 std::string DescribeMethod(const IndexMethod& method);
-
-// linear, kdtree_single, kdtree, kmeans
-const std::vector<std::string>& IndexMethodNames();
 
 // Whether it finds the nearest, and not only near ones.
 bool IsExact(const IndexMethod& method);

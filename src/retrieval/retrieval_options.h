@@ -24,7 +24,7 @@ struct RetrievalOptions {
   InstanceFitOptions fit;
 };
 
-// One row an option, "retrieval.k" and so on; the rows point into `options`.
-std::vector<OptionEntry> RetrievalOptionTable(RetrievalOptions& options);
+// One row an option, "retrieval.k" and so on; the rows point into `retrieval`.
+std::vector<OptionEntry> RetrievalOptionTable(RetrievalOptions& retrieval);
 
 }  // namespace armature

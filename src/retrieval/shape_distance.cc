@@ -51,7 +51,7 @@ Metric MakeMetric(const ShapeEvidence& evidence, double sigma, Eigen::Index mode
 Eigen::MatrixXf Features(const CategoryInstances& instances, const Eigen::VectorXd& standard_deviations,
                          const FeatureOptions& options) {
   const Eigen::Index modes = Kept(instances.coefficients.rows(), options), size = options.with_size ? 3 : 0;
-  const bool raw = options.space == "raw";
+  const bool raw = options.space == FeatureSpace::kRaw;
   Eigen::MatrixXf features(modes + size, instances.coefficients.cols());
   features.topRows(modes) = instances.coefficients.topRows(modes);
   if (raw) features.topRows(modes).array().colwise() *= standard_deviations.head(modes).cast<float>().array();

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "mapping/shape_evidence.h"
 #include "retrieval/instance_index.h"
 #include "retrieval/instance_library.h"
@@ -20,11 +20,20 @@ struct ShapeQuery {
   std::optional<ShapeEvidence> evidence;  // of the images alone; none: not known
 };
 
+enum class FeatureSpace {
+  kWhitened,  // coefficients in standard deviations, each mode counts the same
+  kRaw,       // times the modes' deviations, metres, so that a distance is that of the shape vectors
+};
+
+template <>
+struct EnumNames<FeatureSpace> {
+  static constexpr NamedValue<FeatureSpace> kTable[] = {{FeatureSpace::kWhitened, "whitened"},
+                                                        {FeatureSpace::kRaw, "raw"}};
+};
+
 // The space in which neighbours are near (paper 4.2: that of the principal coefficients).
 struct FeatureOptions {
-  // "whitened": coefficients in standard deviations, each mode counts the same; "raw": times the modes'
-  // deviations, metres, so that a distance is that of the shape vectors
-  std::string space = "whitened";
+  FeatureSpace space = FeatureSpace::kWhitened;
   int modes = 0;            // only the first so many; 0: all
   bool with_size = false;   // the box's size as three more dimensions
   double size_sigma = 0.1;  // metres of size that count as much as one deviation (whitened only)

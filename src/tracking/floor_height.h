@@ -17,12 +17,7 @@ namespace armature {
 struct FloorOptions {
   bool enabled = true;
   double initial_height = 1.4;  // metres: a camera held or flown by people in rooms, before anything is seen
-  double initial_sigma = 0.4;   // metres
-  double drift = 0.1;  // metres per square root of a second: of the height where the odometry cannot tell
-  double climb_error =
-      0.15;  // share of the climb that the odometry tells, with the scale as the objects give it
-  double size_sigma = 0.07;  // share: furniture is this much larger or smaller than its category's reference
-  double min_sigma = 0.03;   // metres: never surer than this
+  double initial_sigma = 0.4;   // metres, its standard deviation
 };
 
 class FloorHeight {
@@ -35,8 +30,7 @@ class FloorHeight {
   std::optional<FloorPrior> Predict(double timestamp, std::optional<double> climb);
 
   // What an accepted estimate in that frame says; objects that do not stand on the floor say nothing.
-  void Learn(const SingleViewResult& estimation, const CategoryModel& model,
-             const Eigen::Vector3d& up_camera);
+  void Update(const SingleViewResult& result, const CategoryModel& model, const Eigen::Vector3d& up_camera);
 
  private:
   FloorOptions options_;

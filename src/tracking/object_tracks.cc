@@ -13,6 +13,18 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a: errors of neighbouring frames are alike, and a filter that believed
+// resection's covariances would soon be surer than it is right.
+constexpr double kFading = 0.96;         // weight of what was known before, with each new observation
+constexpr double kMeasurementScale = 2;  // multiplies the standard deviations of resection
+constexpr double kDepthSigma = 0.08;  // share of the distance, added along the ray: one view's error of size
+constexpr double kLateralSigma = 0.025;   // share of the distance, added across: bearing, drift, the centre
+constexpr double kYawSigmaDeg = 4;        // degrees, added to one view's yaw
+constexpr double kTrackShapeSigma = 0.5;  // added to one view's coefficients, standard deviations
+// A remembered position (share of the distance), yaw (degrees) and coefficient are never surer than this.
+constexpr double kLeastRelativeSigma = 0.03, kLeastYawSigmaDeg = 2, kLeastShapeSigma = 0.4;
+constexpr int kObservationsBeforeUse = 2;
+constexpr double kVoteWeight = 0.6;  // of one viewpoint prior; neighbouring frames' are alike
 constexpr double kVoteSigma = 12 * kDegree;
 constexpr double kVoteOutliers = 0.05;
 
@@ -50,8 +62,9 @@ struct HorizontalAxes {
 
 }  // namespace
 
-ObjectTracks::Track ObjectTracks::NewTrack(const CategoryModel& model) const {
-  Track track;
+ObjectTracks::Track& ObjectTracks::AddTrack(const CategoryModel& model) {
+  Track& track = tracks_.emplace_back();
+  track.id = started_++;
   track.model = &model;
   const int n = track.unknowns();
   track.normal = Eigen::MatrixXd::Zero(n + 1, n + 1);
@@ -60,6 +73,11 @@ ObjectTracks::Track ObjectTracks::NewTrack(const CategoryModel& model) const {
   track.covariance = Eigen::MatrixXd::Identity(n, n);
   track.by_units = Eigen::VectorXd::Zero(n);
   return track;
+}
+
+const ObjectTracks::Track* ObjectTracks::FindTrack(int id) const {
+  const auto found = std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == id; });
+  return found == tracks_.end() ? nullptr : &*found;
 }
 
 PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
@@ -76,7 +94,7 @@ PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d&
 
 std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<ObjectView>& views,
                                          const Eigen::Isometry3d& T_odom_camera) const {
-  std::vector<int> result(views.size(), -1);
+  std::vector<int> ids(views.size(), kNoTrack);
   std::vector<std::tuple<double, size_t, size_t>> pairs;  // negative score, view, track
   for (size_t t = 0; t < tracks_.size(); ++t) {
     if (timestamp - tracks_[t].last_seen > options_.max_gap || views.empty()) continue;
@@ -92,67 +110,61 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
   std::sort(pairs.begin(), pairs.end());
   std::vector<bool> taken(tracks_.size(), false);
   for (const auto& [score, v, t] : pairs) {
-    if (result[v] >= 0 || taken[t]) continue;
-    result[v] = static_cast<int>(t);
+    if (ids[v] != kNoTrack || taken[t]) continue;
+    ids[v] = tracks_[t].id;
     taken[t] = true;
   }
-  return result;
+  return ids;
 }
 
-std::optional<TrackPrior> ObjectTracks::Recall(int index, const Eigen::Isometry3d& T_odom_camera,
-                                               const Eigen::Vector3d& up_camera) const {
-  if (index < 0) return std::nullopt;
-  const Track& track = tracks_[static_cast<size_t>(index)];
-  if (track.observations < options_.min_observations) return std::nullopt;
+std::optional<TrackPrior> ObjectTracks::Predict(int id, const Eigen::Isometry3d& T_odom_camera,
+                                                const Eigen::Vector3d& up_camera) const {
+  const Track* found = FindTrack(id);
+  if (found == nullptr || found->observations < kObservationsBeforeUse) return std::nullopt;
+  const Track& track = *found;
   const Eigen::Matrix3d R_camera_odom = T_odom_camera.linear().transpose();
   const Eigen::Vector3d up_odom = T_odom_camera.linear() * up_camera;
-  TrackPrior memory;
-  memory.expected = Expected(track, T_odom_camera, up_odom);
-  if (memory.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
-  // Never too sure of it: floors keep a wrong memory correctable.
-  const double position_sigma =
-      options_.min_relative_sigma * memory.expected.T_camera_object.translation().norm();
+  TrackPrior prior;
+  prior.expected = Expected(track, T_odom_camera, up_odom);
+  if (prior.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
+  // Never too sure of it: floors keep a wrong prior correctable.
+  const double position_sigma = kLeastRelativeSigma * prior.expected.T_camera_object.translation().norm();
   Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
   covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
-  covariance(3, 3) += std::pow(options_.min_yaw_sigma_deg * kDegree, 2);
-  covariance.diagonal().tail(track.model->modes()).array() +=
-      options_.min_shape_sigma * options_.min_shape_sigma;
+  covariance(3, 3) += std::pow(kLeastYawSigmaDeg * kDegree, 2);
+  covariance.diagonal().tail(track.model->modes()).array() += kLeastShapeSigma * kLeastShapeSigma;
   Eigen::MatrixXd to_camera = Eigen::MatrixXd::Identity(track.unknowns(), track.unknowns());
   to_camera.topLeftCorner<3, 3>() = R_camera_odom;
   covariance = to_camera * covariance * to_camera.transpose();
   // I = L L^T, and the residual is whitened by L^T.
-  memory.information = covariance.inverse();
-  memory.sqrt_information = memory.information.llt().matrixU();
-  memory.belief = track.belief;
+  prior.information = covariance.inverse();
+  prior.sqrt_information = prior.information.llt().matrixU();
+  prior.belief = track.belief;
   const HorizontalAxes axes(up_odom);
-  memory.yaw_zero = R_camera_odom * axes.zero;
-  memory.yaw_quarter = R_camera_odom * axes.quarter;
-  return memory;
+  prior.yaw_zero = R_camera_odom * axes.zero;
+  prior.yaw_quarter = R_camera_odom * axes.quarter;
+  return prior;
 }
 
-int ObjectTracks::Learn(int index, double timestamp, const ObjectView& view,
-                        const SingleViewResult& estimation, const Eigen::Isometry3d& T_odom_camera) {
-  if (index < 0) {
-    tracks_.push_back(NewTrack(*view.model));
-    tracks_.back().id = started_++;
-    index = static_cast<int>(tracks_.size()) - 1;
-  }
-  Track& track = tracks_[static_cast<size_t>(index)];
+int ObjectTracks::Update(int id, double timestamp, const ObjectView& view, const SingleViewResult& result,
+                         const Eigen::Isometry3d& T_odom_camera) {
+  const auto found = std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == id; });
+  Track& track = found == tracks_.end() ? AddTrack(*view.model) : *found;
   if (view.up_camera) track.up_odom = T_odom_camera.linear() * *view.up_camera;
-  Accumulate(track, estimation, T_odom_camera);
-  Vote(track, view, estimation, T_odom_camera);
+  Accumulate(track, result, T_odom_camera);
+  UpdateBelief(track, view, result, T_odom_camera);
   track.last_seen = timestamp;
   ++track.observations;
   return track.id;
 }
 
-void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
+void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
                               const Eigen::Isometry3d& T_odom_camera) {
   const int n = track.unknowns(), B = n - 4;
   const Eigen::Matrix3d R = T_odom_camera.linear();
-  const Eigen::Isometry3d& T = estimation.measured.estimate.T_camera_object;
+  const Eigen::Isometry3d& T = result.measured.estimate.T_camera_object;
   const Eigen::Vector3d t = T.translation(), ray = t.normalized();
-  const bool known = track.observations >= options_.min_observations;
+  const bool known = track.observations >= kObservationsBeforeUse;
 
   // (rotation, translation, coefficients) in the camera -> (R t, yaw, coefficients) along the odometry's
   // axes.
@@ -160,17 +172,16 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
   G.block<3, 3>(0, 3) = R;
   G.block<1, 3>(3, 0) = (R.transpose() * track.up_odom).transpose();
   G.block(4, 6, B, B).setIdentity();
-  Eigen::MatrixXd covariance = options_.measurement_scale * options_.measurement_scale * G *
-                               estimation.measured.covariance * G.transpose();
+  Eigen::MatrixXd covariance =
+      kMeasurementScale * kMeasurementScale * G * result.measured.covariance * G.transpose();
   // The expected distance, not the measured one: near errors would weigh more than far ones.
   const double distance =
       known ? Expected(track, T_odom_camera, track.up_odom).T_camera_object.translation().norm() : t.norm();
-  const double depth_sigma = options_.depth_sigma * distance,
-               lateral_sigma = options_.lateral_sigma * distance;
+  const double depth_sigma = kDepthSigma * distance, lateral_sigma = kLateralSigma * distance;
   covariance.topLeftCorner<3, 3>() += depth_sigma * depth_sigma * R * ray * ray.transpose() * R.transpose();
   covariance.diagonal().head<3>().array() += lateral_sigma * lateral_sigma;
-  covariance(3, 3) += std::pow(options_.yaw_sigma_deg * kDegree, 2);
-  covariance.diagonal().tail(B).array() += options_.shape_sigma * options_.shape_sigma;
+  covariance(3, 3) += std::pow(kYawSigmaDeg * kDegree, 2);
+  covariance.diagonal().tail(B).array() += kTrackShapeSigma * kTrackShapeSigma;
 
   covariance = InUnit(covariance, units_);
 
@@ -179,7 +190,7 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
   const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
   Eigen::VectorXd y(n);
   y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw),
-      estimation.measured.estimate.coefficients;
+      result.measured.estimate.coefficients;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + 1);
   A.leftCols(n).setIdentity();
   A.block<3, 1>(0, n) = -R * t;
@@ -190,22 +201,22 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& estimation,
     weight = 1 / (1 + off.dot((track.covariance + covariance).llt().solve(off)) / (2 * n));
   }
   if (known)
-    LearnUnits(track, T_odom_camera, t.norm(), R * ray,
-               (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
+    UpdateUnits(track, T_odom_camera, t.norm(), R * ray,
+                (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
   const Eigen::MatrixXd information = weight * covariance.inverse();
-  // The category's shape statistics out of the measurement, inflated as it was; Update puts them in once.
+  // The category's shape statistics out of the measurement, inflated as it was; Solve puts them in once.
   Eigen::MatrixXd without_prior = information;
   without_prior.diagonal().tail(B).array() -=
-      weight / (std::pow(options_.measurement_scale, 2) / estimation.measured.shape_prior_information +
-                std::pow(options_.shape_sigma, 2));
-  track.normal = options_.fading * track.normal + A.transpose() * without_prior * A;
-  track.right_side = options_.fading * track.right_side + A.transpose() * information * y;
+      weight / (std::pow(kMeasurementScale, 2) / result.measured.shape_prior_information +
+                std::pow(kTrackShapeSigma, 2));
+  track.normal = kFading * track.normal + A.transpose() * without_prior * A;
+  track.right_side = kFading * track.right_side + A.transpose() * information * y;
 }
 
 // log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
 // more of q itself rests on u (share f: all of it without a baseline), the less there is to learn.
-void ObjectTracks::LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
-                              const Eigen::Vector3d& ray_odom, double variance_along) {
+void ObjectTracks::UpdateUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                               const Eigen::Vector3d& ray_odom, double variance_along) {
   const Eigen::Vector3d to_object = track.state.head<3>() - T_odom_camera.translation();
   const double expected = to_object.dot(ray_odom);
   if (expected <= 0) return;
@@ -219,10 +230,10 @@ void ObjectTracks::LearnUnits(const Track& track, const Eigen::Isometry3d& T_odo
   log_units_ -= gain_information / units_information_ * error / std::max(slope, 0.05);
 }
 
-void ObjectTracks::Vote(Track& track, const ObjectView& view, const SingleViewResult& estimation,
-                        const Eigen::Isometry3d& T_odom_camera) const {
+void ObjectTracks::UpdateBelief(Track& track, const ObjectView& view, const SingleViewResult& result,
+                                const Eigen::Isometry3d& T_odom_camera) const {
   if (!view.detection.azimuth) return;
-  const Eigen::Isometry3d& T = estimation.estimate.T_camera_object;
+  const Eigen::Isometry3d& T = result.estimate.T_camera_object;
   // Turning the estimate to the prior's azimuth gives the prior's front.
   const double azimuth = ViewpointFromRotation(T.linear(), T.translation()).azimuth;
   const Eigen::Matrix3d R = T_odom_camera.linear() * T.linear() *
@@ -233,9 +244,8 @@ void ObjectTracks::Vote(Track& track, const ObjectView& view, const SingleViewRe
     const double yaw = (bin + 0.5) * 2 * M_PI / YawBelief::kBins - M_PI;
     const double off = AzimuthDifference(yaw, voted, track.model->spec.symmetry_order) / kVoteSigma;
     double& cost = track.belief.cost[static_cast<size_t>(bin)];
-    cost = options_.fading * cost -
-           options_.vote_weight *
-               std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
+    cost = kFading * cost -
+           kVoteWeight * std::log((1 - kVoteOutliers) * std::exp(-0.5 * off * off) + 0.1 * kVoteOutliers);
     least = std::min(least, cost);
   }
   for (double& cost : track.belief.cost) cost -= least;
@@ -251,7 +261,7 @@ void ObjectTracks::TurnToBelief(Track& track) const {
 
 ScaleEstimate ObjectTracks::Scale() const { return {1 / units_, 1 / std::sqrt(units_information_)}; }
 
-void ObjectTracks::Update(double timestamp) {
+void ObjectTracks::Solve(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
   units_ = std::exp(log_units_);
   for (Track& track : tracks_) {

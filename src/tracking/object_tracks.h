@@ -31,44 +31,37 @@ namespace armature {
 
 struct TrackOptions {
   bool enabled = true;
-  double fading = 0.96;          // weight of what was known before, with each new observation
-  double measurement_scale = 2;  // multiplies the standard deviations of resection
-  double depth_sigma = 0.08;     // share of the distance, added along the ray: one view's error of size
-  double lateral_sigma =
-      0.025;  // share of the distance, added across the ray: bearing, drift, the centre's definition
-  double yaw_sigma_deg = 4;          // degrees, added to one view's yaw
-  double shape_sigma = 0.5;          // added to one view's coefficients, standard deviations of the category
-  double min_relative_sigma = 0.03;  // share of the distance: a remembered position is never surer
-  double min_yaw_sigma_deg = 2;      // degrees: nor a remembered yaw
-  double min_shape_sigma = 0.4;      // nor a remembered coefficient
-  double vote_weight = 0.6;  // of one viewpoint prior; below 1 as errors of neighbouring frames are alike
-  int min_edges = 3;         // matched edges of an estimate that is learnt from
-  int min_observations = 2;  // before a track is used
-  double max_gap = 20;       // seconds unseen, then it is dropped
+  double max_gap = 20;  // seconds unseen, then a track is dropped
 };
+
+// Matched edges of an estimate that is learnt from; fewer leave pose and shape loose.
+inline constexpr int kLeastLearntEdges = 3;
+
+constexpr int kNoTrack = -1;
 
 class ObjectTracks {
  public:
   explicit ObjectTracks(const TrackOptions& options) : options_(options) {}
 
-  // Which track each detection continues, -1: none. Greedy one-to-one by the overlap of the boxes expected
-  // and seen.
+  // The id of the track that each view continues, kNoTrack: none. Greedy one-to-one by the overlap of the
+  // boxes expected and seen.
   std::vector<int> Associate(double timestamp, const std::vector<ObjectView>& views,
                              const Eigen::Isometry3d& T_odom_camera) const;
 
-  std::optional<TrackPrior> Recall(int track, const Eigen::Isometry3d& T_odom_camera,
-                                   const Eigen::Vector3d& up_camera) const;
+  // What the track says of its object in this camera; none of kNoTrack, of a young track, behind the camera.
+  std::optional<TrackPrior> Predict(int id, const Eigen::Isometry3d& T_odom_camera,
+                                    const Eigen::Vector3d& up_camera) const;
 
-  // Adds an accepted estimate to its track, or starts one (track -1). Returns the track's number, which no
-  // other track has or had.
-  int Learn(int track, double timestamp, const ObjectView& view, const SingleViewResult& estimation,
-            const Eigen::Isometry3d& T_odom_camera);
+  // Adds an accepted estimate to the track, or starts one (kNoTrack). Returns its id, which no other track
+  // has or had.
+  int Update(int id, double timestamp, const ObjectView& view, const SingleViewResult& result,
+             const Eigen::Isometry3d& T_odom_camera);
+
+  // After all updates of a frame: positions, turns, shapes and scale; forgets what was not seen for long.
+  void Solve(double timestamp);
 
   // Metres per unit of odometry as the objects tell.
   ScaleEstimate Scale() const;
-
-  // Solves for positions, turns, shapes and scale; forgets what was not seen for long.
-  void Update(double timestamp);
 
  private:
   // Unknowns of a track's normal equations: q (3), yaw, lambda (B), u.
@@ -87,19 +80,20 @@ class ObjectTracks {
 
     int unknowns() const { return 4 + static_cast<int>(model->modes()); }
   };
-  Track NewTrack(const CategoryModel& model) const;
+  Track& AddTrack(const CategoryModel& model);
+  const Track* FindTrack(int id) const;
   PoseAndShape Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
                         const Eigen::Vector3d& up_odom) const;
-  void Accumulate(Track& track, const SingleViewResult& estimation, const Eigen::Isometry3d& T_odom_camera);
-  void LearnUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
-                  const Eigen::Vector3d& ray_odom, double variance_along);
-  void Vote(Track& track, const ObjectView& view, const SingleViewResult& estimation,
-            const Eigen::Isometry3d& T_odom_camera) const;
+  void Accumulate(Track& track, const SingleViewResult& result, const Eigen::Isometry3d& T_odom_camera);
+  void UpdateUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                   const Eigen::Vector3d& ray_odom, double variance_along);
+  void UpdateBelief(Track& track, const ObjectView& view, const SingleViewResult& result,
+                    const Eigen::Isometry3d& T_odom_camera) const;
   void TurnToBelief(Track& track) const;
 
   TrackOptions options_;
   std::vector<Track> tracks_;
-  int started_ = 0;   // tracks so far
+  int started_ = 0;   // tracks so far: the next id
   double units_ = 1;  // u: units of odometry a metre
   double log_units_ = 0;
   double units_information_ = 0.1;  // of log u

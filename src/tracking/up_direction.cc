@@ -11,6 +11,12 @@
 namespace armature {
 namespace {
 
+// Tuned on office_dev and redkitchen_a.
+constexpr size_t kWindowFrames = 120;             // whose evidence is kept
+constexpr size_t kSegmentsPerFrame = 40;          // that vote, the longest
+constexpr double kVerticalCone = 20 * kDegree;    // a segment may be vertical if up is this near its plane
+constexpr double kVerticalSigma = 0.7 * kDegree;  // standard deviation of a vertical segment's plane
+
 // Cauchy weight of an angle in standard deviations.
 double RobustWeight(double sigmas) { return 1 / (1 + sigmas * sigmas / 4); }
 
@@ -31,7 +37,7 @@ UpEstimator::FrameEvidence UpEstimator::Observe(const Camera& camera, const std:
                                                 const Eigen::Matrix3d& R_odom_camera) const {
   FrameEvidence evidence;
   evidence.R_odom_camera = R_odom_camera;
-  const size_t count = std::min(segments.size(), static_cast<size_t>(options_.segments_per_frame));
+  const size_t count = std::min(segments.size(), kSegmentsPerFrame);
   for (size_t i = 0; i < count; ++i) {  // the longest come first
     const Eigen::Vector3d normal = camera.Ray(segments[i].p1).cross(camera.Ray(segments[i].p2));
     evidence.plane_normals.push_back(R_odom_camera * normal.normalized());
@@ -40,10 +46,10 @@ UpEstimator::FrameEvidence UpEstimator::Observe(const Camera& camera, const std:
   return evidence;
 }
 
-void UpEstimator::ReviseVotes(const std::vector<UpVote>& votes) {
+void UpEstimator::Update(const std::vector<UpVote>& votes) {
   if (window_.empty()) return;
   FrameEvidence& frame = window_.back();
-  frame.votes = {{frame.R_odom_camera * Eigen::Vector3d(0, -1, 0), options_.level_sigma_deg * kDegree}};
+  frame.votes = {{frame.R_odom_camera * Eigen::Vector3d(0, -1, 0), kLevelSigmaDeg * kDegree}};
   for (const UpVote& vote : votes) frame.votes.push_back({frame.R_odom_camera * vote.up_camera, vote.sigma});
 }
 
@@ -68,11 +74,10 @@ Eigen::Vector3d UpEstimator::RoughUp() const {
 // weights that narrow from round to round, and what the votes say.
 UpEstimator::Refined UpEstimator::Refine(const Eigen::Vector3d& start, double cone,
                                          const Eigen::Vector3d& rough, double rough_sigma) const {
-  const double segment_sigma = options_.segment_sigma_deg * kDegree;
   // Neighbouring frames see the same lines: each counts for a fraction.
   const double share = 1.0 / static_cast<double>(std::min<size_t>(window_.size(), 15));
   Refined refined{start, Eigen::Matrix3d::Zero(), 0};
-  for (int iteration = 0; iteration < 8; ++iteration, cone = std::max(0.6 * cone, 2.5 * segment_sigma)) {
+  for (int iteration = 0; iteration < 8; ++iteration, cone = std::max(0.6 * cone, 2.5 * kVerticalSigma)) {
     refined.information = DirectionInformation(rough, rough_sigma);
     refined.support = 0;
     const double outside = std::sin(cone);  // most segments are, and need no arcus
@@ -85,7 +90,7 @@ UpEstimator::Refined UpEstimator::Refine(const Eigen::Vector3d& start, double co
         const double bisquare = 1 - off * off / (cone * cone);
         const double weight = share * frame.weights[i] * bisquare * bisquare;
         refined.support += weight;
-        refined.information += weight / (segment_sigma * segment_sigma) * n * n.transpose();
+        refined.information += weight / (kVerticalSigma * kVerticalSigma) * n * n.transpose();
       }
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(refined.information);
@@ -108,15 +113,15 @@ UpEstimator::Refined UpEstimator::RefineFromPitches(const Eigen::Vector3d& rough
   return best;
 }
 
-UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>& segments,
-                               const std::vector<UpVote>& votes,
-                               const std::optional<Eigen::Isometry3d>& T_odom_camera) {
+UpEstimate UpEstimator::Predict(const Camera& camera, const std::vector<Segment>& segments,
+                                const std::vector<UpVote>& votes,
+                                const std::optional<Eigen::Isometry3d>& T_odom_camera) {
   if (!T_odom_camera) window_.clear();
   Eigen::Matrix3d R_odom_camera = Eigen::Matrix3d::Identity();
   if (T_odom_camera) R_odom_camera = T_odom_camera->linear();
   window_.push_back(Observe(camera, segments, R_odom_camera));
-  ReviseVotes(votes);
-  if (window_.size() > static_cast<size_t>(options_.window_frames)) window_.pop_front();
+  Update(votes);
+  if (window_.size() > kWindowFrames) window_.pop_front();
 
   const Eigen::Vector3d rough = RoughUp();
   double vote_information = 0;
@@ -127,9 +132,9 @@ UpEstimate UpEstimator::Update(const Camera& camera, const std::vector<Segment>&
   }
   // The rough direction's own uncertainty; correlated errors keep it from falling below a degree. Level
   // cameras are assumed again and again: many such frames are worth one.
-  const double rough_sigma = has_viewpoints ? std::max(1 * kDegree, 1 / std::sqrt(vote_information))
-                                            : options_.level_sigma_deg * kDegree;
-  const double cone = std::min(options_.cone_deg * kDegree, 3 * rough_sigma + 2 * kDegree);
+  const double rough_sigma =
+      has_viewpoints ? std::max(1 * kDegree, 1 / std::sqrt(vote_information)) : kLevelSigmaDeg * kDegree;
+  const double cone = std::min(kVerticalCone, 3 * rough_sigma + 2 * kDegree);
   const Refined refined =
       has_viewpoints ? Refine(rough, cone, rough, rough_sigma) : RefineFromPitches(rough, rough_sigma);
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(refined.information).eigenvalues()(1);

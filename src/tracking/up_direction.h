@@ -8,21 +8,32 @@
 #include <vector>
 
 #include "association/detection.h"
+#include "base/enum_names.h"
 #include "geometry/camera.h"
 #include "geometry/segment.h"
 
 namespace armature {
 
-struct UpOptions {
-  std::string source = "auto";  // "auto": the sequence's where given, else estimated; "estimate"; "level"
-  int window_frames = 120;      // frames whose evidence is kept
-  int segments_per_frame = 40;  // the longest
-  double cone_deg = 20;         // degrees: a segment may be vertical if its plane holds a direction this near
-  double segment_sigma_deg = 0.7;  // degrees: of a vertical segment's plane
-  double viewpoint_sigma_deg = 5;  // degrees: of one detection's elevation and tilt
-  double open_box_sigma_deg = 15;  // degrees: the same where the box may not show the whole object
-  double level_sigma_deg = 20;     // degrees: of the assumption of a level camera, in each frame
+enum class UpSource {
+  kAuto,      // the sequence's where given, else estimated
+  kEstimate,  // from lines and viewpoints
+  kLevel,     // the camera's, as if it were level
 };
+
+template <>
+struct EnumNames<UpSource> {
+  static constexpr NamedValue<UpSource> kTable[] = {
+      {UpSource::kAuto, "auto"}, {UpSource::kEstimate, "estimate"}, {UpSource::kLevel, "level"}};
+};
+
+struct UpOptions {
+  UpSource source = UpSource::kAuto;
+  double viewpoint_sigma_deg = 5;  // degrees: of one detection's elevation and tilt
+};
+
+// Degrees, tuned on office_dev and redkitchen_a: standard deviation of one detection's elevation and tilt
+// where the box may not show the whole object, and of the assumption of a level camera, in each frame.
+inline constexpr double kOpenBoxSigmaDeg = 15, kLevelSigmaDeg = 20;
 
 struct UpEstimate {
   Eigen::Vector3d up_camera{0, -1, 0};  // unit, camera frame
@@ -44,16 +55,15 @@ std::optional<UpVote> MakeUpVote(const Detection& detection, const Eigen::Vector
 // level. Memory is bounded by the window.
 class UpEstimator {
  public:
-  explicit UpEstimator(const UpOptions& options) : options_(options) {}
-
-  // `T_odom_camera` missing: what the earlier frames said cannot be used and is forgotten.
-  UpEstimate Update(const Camera& camera, const std::vector<Segment>& segments,
-                    const std::vector<UpVote>& votes, const std::optional<Eigen::Isometry3d>& T_odom_camera);
+  // Up in a new frame, before its objects are looked at. `T_odom_camera` missing: what the earlier frames
+  // said cannot be used and is forgotten.
+  UpEstimate Predict(const Camera& camera, const std::vector<Segment>& segments,
+                     const std::vector<UpVote>& votes, const std::optional<Eigen::Isometry3d>& T_odom_camera);
 
   // Replaces the last frame's votes: once an object's pose is known, so is the ray to its centre, which the
   // centre of a box that shows only part of the object is not (off by 10 degrees in elevation where furniture
   // hides furniture).
-  void ReviseVotes(const std::vector<UpVote>& votes);
+  void Update(const std::vector<UpVote>& votes);
 
  private:
   struct FrameEvidence {                         // all in the frame of the odometry, unit
@@ -74,7 +84,6 @@ class UpEstimator {
                  double rough_sigma) const;
   Refined RefineFromPitches(const Eigen::Vector3d& rough, double rough_sigma) const;
 
-  UpOptions options_;
   std::deque<FrameEvidence> window_;
 };
 

@@ -10,8 +10,7 @@
 #include "base/microseconds.h"
 #include "base/text.h"
 #include "io/csv.h"
-#include "io/csv_pose.h"
-#include "io/trajectory_formats.h"
+#include "io/trajectory.h"
 
 namespace armature {
 namespace {

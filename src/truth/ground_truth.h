@@ -36,7 +36,7 @@ struct GroundTruth {
   const TrueObject* FindObject(double timestamp, int index) const;
 };
 
-// groundtruth.txt of a sequence folder, in any format that io/trajectory_formats.h reads (KITTI: a line an
+// groundtruth.txt of a sequence folder, in any format that io/trajectory.h reads (KITTI: a line an
 // image of rgb.txt), repeated stamps kept. Throws InputError.
 std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence);
 

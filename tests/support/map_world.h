@@ -134,8 +134,8 @@ class MapWorld {
     ProjectWireframe(camera, view.model->spec,
                      WireframeFromCoefficients(*view.model, observation.measured.coefficients),
                      observation.measured.T_camera_object, Image(), {}, projected);
-    observation.evidence = EvidenceAt(view, view.sides, matches, projected, observation.measured,
-                                      BoxOptions{}, ResectionOptions{});
+    observation.evidence = EvidenceAt(
+        {view, view.sides, matches, projected, observation.measured, BoxOptions{}, ResectionOptions{}});
     return observation;
   }
 
@@ -210,7 +210,7 @@ class MapWorld {
     view.up_camera = up_camera;
     view.detection.category = model.spec.name;
     view.detection.box = Intersection(PaddedBox(camera, model.spec, projected, R_camera_object), Image());
-    view.sides = SidesAtImageBorder(view.detection.box, camera, BoxOptions{}.cut_tolerance);
+    view.sides = SidesAtImageBorder(view.detection.box, camera);
     return view;
   }
 

@@ -53,6 +53,18 @@ function otherScene() {
   return all('canvas').map(coloursOf);
 }
 
+// Drawn: the picture was understood, and has room on the page. The background is that of the dark scheme.
+function plots() {
+  document.documentElement.dataset.theme = 'dark';
+  const seen = all('.plots img').map((img) => ({
+                                       alt: img.alt,
+                                       drawn: img.naturalWidth === 900 && img.clientWidth > 200,
+                                       background: getComputedStyle(img).backgroundColor,
+                                     }));
+  document.documentElement.dataset.theme = 'auto';
+  return seen;
+}
+
 function backgrounds() {
   return [1, 2].map(() => {
     document.getElementById('theme').click();
@@ -64,9 +76,7 @@ document.querySelector('[data-plot="scenes"]').scrollIntoView({behavior: 'instan
 setTimeout(() => {
   const seen = {
     cells: tableCells(),
-    bars: within('stages', 'rect.bar'),
-    curves: within('curves', 'path.curve'),
-    ablations: within('ablations', 'rect.bar'),
+    plots: plots(),
     panels: within('maps', 'svg'),
     objects: within('maps', 'path.object'),
     errors: within('maps', 'path.error'),

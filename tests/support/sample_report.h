@@ -9,6 +9,7 @@
 #include <string>
 
 #include "eval/report/report_data.h"
+#include "eval/report/report_plots.h"
 
 namespace armature::testing {
 
@@ -118,6 +119,34 @@ inline RetrievalStrip SampleStrip(const std::string& object) {
   return strip;
 }
 
+inline std::vector<StageBars> SampleStages() {
+  StackedBars bars;
+  bars.stages = {"detection", "association", "resection"};
+  bars.bars = {{"lines:default", {4.153, 0.61, 0.41}},
+               {"lines:fast", {0.841, 0.33, 0.25}},
+               {"keypoints", {855, 0, 3.4}}};
+  return {{"seq1", bars}};
+}
+
+inline std::vector<TimeCurves> SampleCurves() {
+  Plot plot{.title = "",
+            .x_label = "objects in the frame",
+            .y_label = "front end [ms]",
+            .log_y = true,
+            .series = {}};
+  plot.series = {{.name = "lines",
+                  .x = {1, 2, 3},
+                  .y = {4.2, 4.6, 5.1},
+                  .low = {4.0, 4.3, 4.8},
+                  .high = {4.9, 5.2, 6.0}},
+                 {.name = "keypoints",
+                  .x = {1, 2, 3},
+                  .y = {290, 570, 860},
+                  .low = {280, 560, 850},
+                  .high = {310, 590, 900}}};
+  return {{"seq2", plot}};
+}
+
 inline ReportData SampleReport() {
   ReportData data;
   data.title = "Armature: two sequences, two engines";
@@ -128,18 +157,10 @@ inline ReportData SampleReport() {
       {"Faster than keypoints", "134 times", "100 times", 134, 100, "Medians of the front end, one thread."},
       {"Right model first", "62 %", "", 62, std::nullopt, "Of 19 objects; the paper gives none."}};
   data.tables = {SampleObjectTable("seq1"), SampleObjectTable("seq2"), SampleTimingTable()};
-  data.stages = {{"seq1",
-                  "Median of each stage, frames of 856x480 with 3 objects.",
-                  {"detection", "association", "resection"},
-                  {{"lines:default", {4.153, 0.61, 0.41}},
-                   {"lines:fast", {0.841, 0.33, 0.25}},
-                   {"keypoints", {855, 0, 3.4}}}}};
-  data.curves = {{"seq2",
-                  "objects in the frame",
-                  "front end [ms]",
-                  {{"lines", {{1, 4.2, 4.0, 4.9}, {2, 4.6, 4.3, 5.2}, {3, 5.1, 4.8, 6.0}}},
-                   {"keypoints", {{1, 290, 280, 310}, {2, 570, 560, 590}, {3, 860, 850, 900}}}}}};
-  data.ablations = {{"seq1", "Azimuth error.", "deg", {{"default", 2.38}, {"no normal term", 7.9}}}};
+  data.stages = DrawStageBars(SampleStages(), 3, data.remarks);
+  data.curves = DrawTimeCurves(SampleCurves(), data.remarks);
+  data.ablations = DrawAblationBars(
+      {{"seq1", "Azimuth error.", "deg", {{"default", 2.38}, {"no normal term", 7.9}}}}, data.remarks);
   data.maps = {{"seq1",
                 SampleLayer("truth", 0),
                 {SampleLayer("odometry only", 0.2), SampleLayer("default", 0.06), SampleLayer("fast", 0.1)},

@@ -42,7 +42,7 @@ struct SyntheticView {
     view.detection.category = category;
     view.detection.box = PaddedBox(camera, model.spec, projected, truth.T_camera_object.linear());
     view.detection.azimuth = azimuth;
-    view.sides = SidesAtImageBorder(view.detection.box, camera, 0.06);
+    view.sides = SidesAtImageBorder(view.detection.box, camera);
   }
 
   ProjectedWireframe Project(const PoseAndShape& at) const {

@@ -2,7 +2,7 @@
 // Pictures open in full size; the arrow keys turn to the next one, Escape closes.
 
 function addGallery() {
-  const images = [...document.querySelectorAll('.gallery img, .strip img')];
+  const images = [...document.querySelectorAll('.gallery img, .strip img, .plots img')];
   if (images.length === 0) return;
   const picture = element('img'), caption = element('p');
   const dialog = element('dialog', {}, picture, caption);

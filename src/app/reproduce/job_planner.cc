@@ -97,9 +97,8 @@ Job JobPlanner::Bench(const Timing& timing) const {
   return job;
 }
 
-Job JobPlanner::Evaluation(const std::string& name, const std::vector<std::string>& variants,
+Job JobPlanner::Evaluation(const std::string& folder, const std::vector<std::string>& variants,
                            const std::vector<std::string>& more) const {
-  const std::string folder = "evaluation/" + name;
   Job job{.name = folder, .outputs = {folder}, .inputs = {}};
   std::vector<std::string> call{"eval"};
   for (const std::string& variant : variants) {

@@ -30,7 +30,7 @@ class JobPlanner {
   Job Library() const;
   Job Run(const Variant& variant, const MatrixSequence& sequence) const;
   Job Bench(const Timing& timing) const;
-  Job Evaluation(const std::string& name, const std::vector<std::string>& variants,
+  Job Evaluation(const std::string& folder, const std::vector<std::string>& variants,
                  const std::vector<std::string>& more) const;
   // True edges of one's own sequences.
   std::vector<std::string> CadArguments() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reproduce/job_scheduler.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -96,8 +97,12 @@ class Scheduler {
   }
 
   std::unique_ptr<ChildProcess> Start(const Job& job, size_t command) const {
-    return std::make_unique<ChildProcess>(folders_.program, job.commands[command], folders_.folder,
-                                          LogFile(folders_.folder, job.name));
+    const FileDescriptor log(LogFile(folders_.folder, job.name), O_WRONLY | O_CREAT | O_APPEND);
+    return std::make_unique<ChildProcess>(ProgramCall{.program = folders_.program,
+                                                      .arguments = job.commands[command],
+                                                      .folder = folders_.folder,
+                                                      .output = log.number(),
+                                                      .error_output = log.number()});
   }
 
   // Nothing of an earlier try is left.
@@ -155,13 +160,20 @@ class Scheduler {
       Fail(running.index, record, FindReason(LogFile(folders_.folder, job.name), ended));
       return false;
     }
-    if (++running.command < job.commands.size()) {
-      running.process = Start(job, running.command);
-      return true;
-    }
+    if (++running.command < job.commands.size()) return StartAgain(running, record);
     record.status = JobStatus::kDone;
     End(running.index, record);
     return false;
+  }
+
+  bool StartAgain(RunningJob& running, const JobRecord& record) {
+    try {
+      running.process = Start(jobs_[running.index], running.command);
+      return true;
+    } catch (const std::exception& error) {
+      Fail(running.index, record, error.what());
+      return false;
+    }
   }
 
   void Fail(size_t index, JobRecord record, const std::string& reason) {

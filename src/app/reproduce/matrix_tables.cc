@@ -8,62 +8,109 @@
 #include <numeric>
 
 #include "app/reproduce/job_records.h"
+#include "base/errors.h"
 
 namespace armature {
 namespace {
 
-bool HasCells(const nlohmann::json& row, const EvaluatedNumbers::Where& cells) {
-  return std::all_of(cells.begin(), cells.end(), [&](const auto& cell) {
-    return row.value(cell.first, nlohmann::json()) == cell.second;
+// The run that has a variant's results; one placed by odometry has those of another variant's run.
+std::string FindRunFolder(const Variant& variant, const std::string& sequence) {
+  return fmt::format("runs/{}/{}", variant.IsRun() ? variant.name : variant.odometry_of, sequence);
+}
+
+const JobRecord* FindJob(const std::vector<JobRecord>& jobs, const std::string& name) {
+  const auto found =
+      std::find_if(jobs.begin(), jobs.end(), [&](const JobRecord& job) { return job.name == name; });
+  return found == jobs.end() ? nullptr : &*found;
+}
+
+// By its folder: a sequence's name need not be that of its folder.
+const EvaluatedRunRecord& FindRun(const MatrixEvaluation& evaluation, const std::string& folder) {
+  for (const EvaluatedRunRecord& run : evaluation.records.runs) {
+    if (run.folder == folder) return run;
+  }
+  throw InputError(
+      fmt::format("{}: has no run in 'folder' {}, which has succeeded; remove the file's folder "
+                  "and run 'armature reproduce' again",
+                  evaluation.file.string(), folder));
+}
+
+// Null where the sequence has no truth of the kind, or the run no result.
+struct VariantRecords {
+  const ObjectRecord* objects = nullptr;
+  const TrajectoryRecord* cameras = nullptr;
+  const ViewRecord* views = nullptr;
+};
+
+template <typename Record, typename Predicate>
+const Record* FindRecord(const std::vector<Record>& records, const EvaluatedRunRecord& run,
+                         const Predicate& is_wanted) {
+  for (const Record& record : records) {
+    if (record.sequence == run.sequence && record.run == run.run && is_wanted(record)) return &record;
+  }
+  return nullptr;
+}
+
+VariantRecords FindRecords(const EvaluationRecords& records, const EvaluatedRunRecord& run,
+                           bool by_odometry) {
+  VariantRecords found;
+  found.objects = FindRecord(records.objects, run, [&](const ObjectRecord& record) {
+    return !record.category && record.matched_by == MatchedBy::kDistance &&
+           (record.approach == Approach::kOdometryOnly) == by_odometry;
   });
+  found.cameras = FindRecord(records.trajectories, run, [&](const TrajectoryRecord& record) {
+    return record.alignment == AlignmentKind::kFirstPose &&
+           record.trajectory == (by_odometry ? TrajectoryKind::kOdometryScaled : TrajectoryKind::kTrajectory);
+  });
+  if (by_odometry) return found;
+  found.views = FindRecord(records.views, run,
+                           [](const ViewRecord& record) { return !record.category && !record.only_ok; });
+  return found;
 }
 
-// The rows of a variant in the tables of objects and trajectories; one placed by odometry has those of its
-// run.
-std::optional<double> ObjectNumber(const EvaluatedNumbers& numbers, const std::string& sequence,
-                                   const Variant& variant, const std::string& column) {
-  if (!variant.IsRun()) {
-    return numbers.Of("objects", sequence,
-                      {{"run", variant.odometry_of}, {"approach", "odometry only"}, {"category", "all"}},
-                      column);
-  }
-  for (const char* approach : {"objects, loop closure", "objects, no loop closure"}) {
-    const auto value = numbers.Of(
-        "objects", sequence, {{"run", variant.name}, {"approach", approach}, {"category", "all"}}, column);
-    if (value) return value;
-  }
-  return std::nullopt;
+VariantRecords FindRecords(const std::vector<JobRecord>& jobs, const MatrixEvaluation* evaluation,
+                           const Variant& variant, const std::string& sequence) {
+  const std::string folder = FindRunFolder(variant, sequence);
+  const JobRecord* job = FindJob(jobs, folder);
+  if (evaluation == nullptr || job == nullptr || !job->HasSucceeded()) return {};
+  return FindRecords(evaluation->records, FindRun(*evaluation, folder), !variant.IsRun());
 }
 
-std::optional<double> CameraNumber(const EvaluatedNumbers& numbers, const std::string& sequence,
-                                   const Variant& variant) {
-  return numbers.Of("trajectory", sequence,
-                    {{"run", variant.IsRun() ? variant.name : variant.odometry_of},
-                     {"trajectory", variant.IsRun() ? "trajectory" : "odometry_scaled"},
-                     {"alignment", "first_pose"}},
-                    "ATE rmse [m]");
+// What became of the job.
+std::string DescribeOutcome(const JobRecord* job) {
+  if (job == nullptr) return StatusName(JobStatus::kNotRun);
+  return job->HasSucceeded() ? "done" : fmt::format("{}: {}", StatusName(job->status), job->reason);
 }
 
-std::optional<double> ViewNumber(const EvaluatedNumbers& numbers, const std::string& sequence,
-                                 const Variant& variant) {
-  if (!variant.IsRun()) return std::nullopt;
-  return numbers.Of("observations", sequence, {{"run", variant.name}, {"category", "all"}},
-                    "within 15 deg [%]");
+template <typename Record>
+Cell Count(const Record* record, long Record::*count) {
+  return record == nullptr ? NoCell() : CountCell(record->*count);
 }
 
-// What became of the job; one placed by odometry has that of its run.
-std::string DescribeOutcome(const std::vector<JobRecord>& records, const Variant& variant,
-                            const std::string& sequence) {
-  const std::string name =
-      fmt::format("runs/{}/{}", variant.IsRun() ? variant.name : variant.odometry_of, sequence);
-  for (const JobRecord& record : records) {
-    if (record.name != name) continue;
-    return record.HasSucceeded() ? "done" : fmt::format("{}: {}", StatusName(record.status), record.reason);
-  }
-  return StatusName(JobStatus::kNotRun);
+template <typename Record>
+Cell Number(const Record* record, std::optional<double> Record::*value, int digits) {
+  return record == nullptr ? NoCell() : NumberCell(record->*value, digits);
 }
 
-Cell Count(const std::optional<double>& value) { return value ? CountCell(std::lround(*value)) : NoCell(); }
+Cell ViewsWithin15Deg(const ViewRecord* record) {
+  return record == nullptr ? NoCell() : ShareCell(record->views_within_15_deg_share, record->detections);
+}
+
+std::vector<Cell> MatrixRow(const std::string& sequence, const Variant& variant, const VariantRecords& r,
+                            const JobRecord* job) {
+  return {TextCell(sequence),
+          TextCell(variant.about),
+          Count(r.objects, &ObjectRecord::observed),
+          Count(r.objects, &ObjectRecord::found),
+          Count(r.objects, &ObjectRecord::spurious),
+          Number(r.objects, &ObjectRecord::object_error_best_m, 4),
+          Number(r.objects, &ObjectRecord::object_error_mean_m, 4),
+          Number(r.objects, &ObjectRecord::object_error_worst_m, 4),
+          Number(r.objects, &ObjectRecord::azimuth_mean_deg, 2),
+          Number(r.cameras, &TrajectoryRecord::ate_rmse_m, 4),
+          ViewsWithin15Deg(r.views),
+          TextCell(DescribeOutcome(job))};
+}
 
 std::vector<std::string> MatrixNotes() {
   return {
@@ -89,17 +136,18 @@ struct Spread {
   }
 };
 
-void PushDraws(const Matrix& matrix, const EvaluatedNumbers& numbers, const std::string& scene,
-               const Variant& variant, Table& table) {
+void PushDraws(const Matrix& matrix, const std::vector<JobRecord>& jobs, const MatrixEvaluation* evaluation,
+               const std::string& scene, const Variant& variant, Table& table) {
   Spread error;
-  double found = 0, of = 0, spurious = 0;
+  long found = 0, observed = 0, spurious = 0;
   for (const MatrixSequence& sequence : ListSequences(matrix)) {
     if (sequence.family != scene) continue;
-    const auto average = ObjectNumber(numbers, sequence.name, variant, "average [m]");
-    if (average) error.values.push_back(*average);
-    found += ObjectNumber(numbers, sequence.name, variant, "found").value_or(0);
-    of += ObjectNumber(numbers, sequence.name, variant, "observed").value_or(0);
-    spurious += ObjectNumber(numbers, sequence.name, variant, "spurious").value_or(0);
+    const ObjectRecord* objects = FindRecords(jobs, evaluation, variant, sequence.name).objects;
+    if (objects == nullptr) continue;
+    if (objects->object_error_mean_m) error.values.push_back(*objects->object_error_mean_m);
+    found += objects->found;
+    observed += objects->observed;
+    spurious += objects->spurious;
   }
   auto& row = table.rows.emplace_back();
   row = {TextCell(scene), TextCell(variant.about), CountCell(static_cast<long>(error.values.size()))};
@@ -110,29 +158,14 @@ void PushDraws(const Matrix& matrix, const EvaluatedNumbers& numbers, const std:
   const auto [least, most] = std::minmax_element(error.values.begin(), error.values.end());
   for (const Cell& cell :
        {NumberCell(error.Mean(), 4), NumberCell(error.Deviation(), 4), NumberCell(*least, 4),
-        NumberCell(*most, 4), Count(found), Count(of), Count(spurious)})
+        NumberCell(*most, 4), CountCell(found), CountCell(observed), CountCell(spurious)})
     row.push_back(cell);
 }
 
 }  // namespace
 
-std::optional<double> EvaluatedNumbers::Of(const std::string& table, const std::string& sequence,
-                                           const Where& cells, const std::string& column) const {
-  if (!eval_.is_object()) return std::nullopt;
-  for (const auto& candidate : eval_.at("tables")) {
-    if (candidate.value("table", "") != table || candidate.value("sequence", "") != sequence) continue;
-    for (const auto& row : candidate.at("rows")) {
-      if (!HasCells(row, cells)) continue;
-      const auto number = row.find(column);
-      if (number == row.end() || !number->is_number()) return std::nullopt;
-      return number->get<double>();
-    }
-  }
-  return std::nullopt;
-}
-
-Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& records,
-                  const EvaluatedNumbers& numbers) {
+Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& jobs,
+                  const MatrixEvaluation* evaluation) {
   Table table{.title = "Sequences and variants",
               .columns = {"sequence", "variant", "observed", "found", "spurious", "best [m]", "average [m]",
                           "worst [m]", "azimuth [deg]", "cameras [m]", "views within 15 deg [%]", "outcome"},
@@ -140,23 +173,16 @@ Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& records,
               .notes = MatrixNotes(),
               .name = "matrix"};
   for (const MatrixSequence& sequence : ListSequences(matrix)) {
-    for (const Variant& variant : matrix.variants) {
-      const auto of = [&](const char* column) {
-        return ObjectNumber(numbers, sequence.name, variant, column);
-      };
-      table.rows.push_back({TextCell(sequence.name), TextCell(variant.about), Count(of("observed")),
-                            Count(of("found")), Count(of("spurious")), NumberCell(of("best [m]"), 4),
-                            NumberCell(of("average [m]"), 4), NumberCell(of("worst [m]"), 4),
-                            NumberCell(of("azimuth [deg]"), 2),
-                            NumberCell(CameraNumber(numbers, sequence.name, variant), 4),
-                            NumberCell(ViewNumber(numbers, sequence.name, variant), 1),
-                            TextCell(DescribeOutcome(records, variant, sequence.name))});
-    }
+    for (const Variant& variant : matrix.variants)
+      table.rows.push_back(MatrixRow(sequence.name, variant,
+                                     FindRecords(jobs, evaluation, variant, sequence.name),
+                                     FindJob(jobs, FindRunFolder(variant, sequence.name))));
   }
   return table;
 }
 
-std::optional<Table> DrawsTable(const Matrix& matrix, const EvaluatedNumbers& numbers) {
+std::optional<Table> DrawsTable(const Matrix& matrix, const std::vector<JobRecord>& jobs,
+                                const MatrixEvaluation* evaluation) {
   if (matrix.seeds < 2 || matrix.scenes.empty()) return std::nullopt;
   Table table{
       .title = fmt::format("Objects' average error over {} draws of each scene [m]", matrix.seeds),
@@ -167,7 +193,7 @@ std::optional<Table> DrawsTable(const Matrix& matrix, const EvaluatedNumbers& nu
                 "found, observed, spurious: sums. Each draw has other objects, clutter and noise."},
       .name = "draws"};
   for (const std::string& scene : matrix.scenes) {
-    for (const Variant& variant : matrix.variants) PushDraws(matrix, numbers, scene, variant, table);
+    for (const Variant& variant : matrix.variants) PushDraws(matrix, jobs, evaluation, scene, variant, table);
   }
   return table;
 }

@@ -60,15 +60,15 @@ std::vector<Job> PlanEvaluation(const Matrix& matrix, const PlanFolders& folders
   const std::vector<std::string> variants = WithRuns(RunVariants(matrix), done);
   const std::vector<std::string> retrieved = WithRuns(matrix.retrieval, done);
   if (HaveTruth(matrix) && !variants.empty())
-    jobs.push_back(planner.Evaluation("accuracy", variants, planner.CadArguments()));
+    jobs.push_back(planner.Evaluation(kAccuracyJob, variants, planner.CadArguments()));
   if (HaveTruth(matrix) && !retrieved.empty()) {
-    jobs.push_back(planner.Evaluation("retrieval", retrieved,
+    jobs.push_back(planner.Evaluation("evaluation/retrieval", retrieved,
                                       {"--library", kLibraryFile, "--tables", "retrieval,each_query"}));
     jobs.back().inputs.emplace_back(kLibraryFile);
   }
   if (HasSucceeded(done, "library") && matrix.library_every > 0) {
     jobs.push_back(planner.Evaluation(
-        "library", {},
+        "evaluation/library", {},
         {"--library", kLibraryFile, "--tables", "library", "--every", std::to_string(matrix.library_every)}));
     jobs.back().inputs.emplace_back(kLibraryFile);
   }

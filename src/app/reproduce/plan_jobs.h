@@ -11,6 +11,9 @@
 
 namespace armature {
 
+// The evaluation of all runs, of which the matrix's own tables are made.
+inline constexpr const char* kAccuracyJob = "evaluation/accuracy";
+
 // Data, categories, library, runs ("runs/<variant>/<sequence>") and timings ("timings/<name>").
 std::vector<Job> PlanRuns(const Matrix& matrix, const PlanFolders& folders);
 

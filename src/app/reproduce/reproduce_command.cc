@@ -7,7 +7,7 @@
 #include <chrono>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "app/reproduce/all_tables.h"
@@ -21,7 +21,6 @@
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
-#include "base/text.h"
 #include "cli/data_folders.h"
 #include "cli/help.h"
 #include "cli/printed_tables.h"
@@ -103,14 +102,22 @@ class Reproduction {
     std::move(records.begin(), records.end(), std::back_inserter(done_));
   }
 
+  // None where nothing was evaluated, or that failed.
+  std::optional<MatrixEvaluation> ReadEvaluation() const {
+    const bool is_done = std::any_of(done_.begin(), done_.end(), [](const JobRecord& job) {
+      return job.name == kAccuracyJob && job.HasSucceeded();
+    });
+    if (!is_done) return std::nullopt;
+    const fs::path file = folders_.results / kAccuracyJob / "records.json";
+    return MatrixEvaluation{file, ReadEvaluationRecords(file)};
+  }
+
   // Those of the matrix itself; the rest are the evaluation's and the benchmarks'.
   void WriteTables() {
-    nlohmann::json eval;
-    if (const fs::path file = folders_.results / "evaluation/accuracy/eval.json"; fs::exists(file))
-      eval = nlohmann::json::parse(ReadTextFile(file));
-    const EvaluatedNumbers numbers(eval);
-    tables_ = {MatrixTable(matrix_, done_, numbers)};
-    if (auto draws = DrawsTable(matrix_, numbers)) tables_.push_back(std::move(*draws));
+    const std::optional<MatrixEvaluation> evaluation = ReadEvaluation();
+    const MatrixEvaluation* known = evaluation ? &*evaluation : nullptr;
+    tables_ = {MatrixTable(matrix_, done_, known)};
+    if (auto draws = DrawsTable(matrix_, done_, known)) tables_.push_back(std::move(*draws));
     AtomicWrite(folders_.results / "evaluation/matrix.json", FormatTables(tables_, TableFormat::kJson));
   }
 

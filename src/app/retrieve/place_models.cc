@@ -5,8 +5,10 @@
 
 #include "base/errors.h"
 #include "drawing/map_picture.h"
-#include "io/image_writer.h"
+#include "io/atomic_write.h"
+#include "io/image.h"
 #include "io/mesh_file.h"
+#include "io/ply_text.h"
 #include "retrieval/sightings.h"
 
 namespace armature {
@@ -62,7 +64,8 @@ PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::pa
 
 void WriteScene(const MapScene& scene, const std::filesystem::path& run) {
   const cv::Mat picture = DrawMap(scene);  // takes seconds, and may be interrupted
-  WritePly(SceneMesh(scene), run / "map.ply");
+  // The comment is that of PCL, which wrote these files once: the same map is still the same bytes.
+  AtomicWrite(run / "map.ply", PlyText(SceneMesh(scene), PlyColours::kOfVertices, "PCL generated"));
   WritePicture(run / "map.png", picture);
 }
 

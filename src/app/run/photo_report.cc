@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/number_format.h"
+#include "category/category_lookup.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "io/text_table.h"
@@ -25,13 +26,6 @@ struct Placed {
   Eigen::Vector3d size{0, 0, 0};    // metres
   size_t edges = 0, all_edges = 0;  // matched, of the category
 };
-
-const CategoryModel& CategoryNamed(const std::vector<CategoryModel>& models, const std::string& category) {
-  for (const CategoryModel& model : models) {
-    if (model.spec.name == category) return model;
-  }
-  throw std::logic_error("no model of category " + category);
-}
 
 Placed Measure(const ObjectObservation& observation, const CategoryModel& model) {
   const ObjectEstimate& estimate = observation.estimate;
@@ -106,7 +100,7 @@ std::string PhotoReportText(const FrameResult& frame, const std::vector<Category
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const ObjectObservation& observation = frame.observations[i];
     table.rows.push_back(
-        Row(i, observation, Measure(observation, CategoryNamed(models, observation.detection.category))));
+        Row(i, observation, Measure(observation, LookUpModel(models, observation.detection.category))));
   }
   table.notes = {
       "azimuth, elevation: of the camera seen from the object, 0 in front of it; size: width x height x "
@@ -120,7 +114,7 @@ std::string PhotoReportJson(const FrameResult& frame, const std::vector<Category
   Json objects = Json::array();
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const ObjectObservation& observation = frame.observations[i];
-    const Placed placed = Measure(observation, CategoryNamed(models, observation.detection.category));
+    const Placed placed = Measure(observation, LookUpModel(models, observation.detection.category));
     objects.push_back(ObjectJson(i, observation, placed));
   }
   Json json;

@@ -97,7 +97,7 @@ CommandHelp RunHelp() {
                "--out runs/paper --preset paper"},
               {"a look at the first frames with another line detector",
                "armature run datasets/generated/seq1 --out runs/look --frames 20 --video runs/look.mp4 --set "
-               "association.detector=lsd"}}};
+               "lines.detector=lsd"}}};
 }
 
 }  // namespace

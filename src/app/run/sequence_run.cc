@@ -19,7 +19,6 @@
 #include "base/stage_clock.h"
 #include "drawing/overlay.h"
 #include "io/image.h"
-#include "io/image_writer.h"
 #include "io/run_writer.h"
 #include "pipeline/frame_pipeline.h"
 #include "pipeline/one_ahead.h"
@@ -118,12 +117,6 @@ void NoteOdometryGaps(const Sequence& sequence) {
   }
 }
 
-// The options for this sequence: odometry in metres has no scale to be found.
-Options OptionsFor(const Sequence& sequence, Options options) {
-  if (sequence.odometry_metric) options.mapping.scale = "none";
-  return options;
-}
-
 // Solves the map and writes it; without odometry there is none, and its files are empty.
 std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& writer) {
   const StepDetail step("the map is solved");
@@ -182,8 +175,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
                               const std::filesystem::path& folder) {
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
-  FramePipeline pipeline(OptionsFor(sequence, settings.options), sequence.camera, settings.models,
-                         sequence.up);
+  FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up,
+                         sequence.odometry_metric);
   NoteOdometryGaps(sequence);
   Overlays overlays(sequence, settings, writer.partial());
   const FramePace pace = RunFrames(sequence, settings, pipeline, writer, overlays);

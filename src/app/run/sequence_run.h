@@ -10,7 +10,6 @@
 #include "category/category_model.h"
 #include "io/run_summary.h"
 #include "io/sequence.h"
-#include "io/stage_statistics.h"
 #include "pipeline/options.h"
 
 namespace armature {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plots of a report, drawn by gnuplot as those of `armature bench`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "eval/report/ablation_bars.h"
+#include "eval/report/bench_results.h"
+#include "eval/report/report_data.h"
+
+namespace armature {
+
+// Each a picture of every item that has something to show. Where gnuplot is missing or fails there are none,
+// and a remark says why.
+
+// `objects`: in each frame.
+std::vector<ReportPlot> DrawStageBars(const std::vector<StageBars>& all, size_t objects,
+                                      std::vector<std::string>& remarks);
+std::vector<ReportPlot> DrawTimeCurves(const std::vector<TimeCurves>& all, std::vector<std::string>& remarks);
+std::vector<ReportPlot> DrawAblationBars(const std::vector<AblationBars>& all,
+                                         std::vector<std::string>& remarks);
+
+}  // namespace armature
