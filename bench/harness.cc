@@ -69,8 +69,8 @@ void CheckLongerThanWarmUp(size_t inputs, const HarnessOptions& options) {
                   inputs, options.warm_up));
 }
 
-std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inputs,
-                           const HarnessOptions& options) {
+std::vector<BenchRow> RunInterleaved(const std::vector<Contender>& contenders, size_t inputs,
+                                     const HarnessOptions& options) {
   CheckLongerThanWarmUp(inputs, options);
   std::vector<BenchRow> rows;
   for (size_t repetition = 0; repetition < options.repetitions; ++repetition) {

@@ -51,7 +51,7 @@ void CheckLongerThanWarmUp(size_t inputs, const HarnessOptions& options);
 
 // Rows in the order in which they were measured, without the warm-up. On each input the turn begins with
 // another contender. Throws as CheckLongerThanWarmUp.
-std::vector<BenchRow> Race(const std::vector<Contender>& contenders, size_t inputs,
-                           const HarnessOptions& options);
+std::vector<BenchRow> RunInterleaved(const std::vector<Contender>& contenders, size_t inputs,
+                                     const HarnessOptions& options);
 
 }  // namespace armature

@@ -28,14 +28,14 @@ struct HarnessLog {
 
 TEST(Harness, TakesTurnsAndBeginsEachInputWithAnother) {
   HarnessLog log;
-  Race({log.Make("a"), log.Make("b")}, 3, {.warm_up = 0, .repetitions = 1});
+  RunInterleaved({log.Make("a"), log.Make("b")}, 3, {.warm_up = 0, .repetitions = 1});
   EXPECT_EQ(log.calls,
             (std::vector<std::string>{"a starts", "b starts", "a0", "b0", "b1", "a1", "a2", "b2"}));
 }
 
 TEST(Harness, DiscardsTheWarmUpOfEachRepetition) {
   HarnessLog log;
-  const std::vector<BenchRow> rows = Race({log.Make("a")}, 4, {.warm_up = 2, .repetitions = 2});
+  const std::vector<BenchRow> rows = RunInterleaved({log.Make("a")}, 4, {.warm_up = 2, .repetitions = 2});
   EXPECT_EQ(log.calls, (std::vector<std::string>{"a starts", "a0", "a1", "a2", "a3", "a starts", "a0", "a1",
                                                  "a2", "a3"}));
   ASSERT_EQ(rows.size(), 4U);
@@ -47,7 +47,8 @@ TEST(Harness, DiscardsTheWarmUpOfEachRepetition) {
 
 TEST(Harness, LeavesInputsOutForSlowContendersButNotTheWarmUp) {
   HarnessLog log;
-  const std::vector<BenchRow> rows = Race({log.Make("slow", 3)}, 6, {.warm_up = 2, .repetitions = 1});
+  const std::vector<BenchRow> rows =
+      RunInterleaved({log.Make("slow", 3)}, 6, {.warm_up = 2, .repetitions = 1});
   EXPECT_EQ(log.calls, (std::vector<std::string>{"slow starts", "slow0", "slow1", "slow2", "slow5"}));
   EXPECT_EQ(rows.size(), 2U);
 }
@@ -61,7 +62,7 @@ TEST(Harness, DividesByTheCallsAndAddsWhatWasNotWaitedFor) {
     return outcome;
   };
   contender.calls = 1e9;  // nothing takes a million seconds
-  const std::vector<BenchRow> rows = Race({contender}, 1, {.warm_up = 0, .repetitions = 1});
+  const std::vector<BenchRow> rows = RunInterleaved({contender}, 1, {.warm_up = 0, .repetitions = 1});
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_GE(rows[0].wall_ms, 0);
   EXPECT_LT(rows[0].wall_ms, 1);
@@ -70,7 +71,7 @@ TEST(Harness, DividesByTheCallsAndAddsWhatWasNotWaitedFor) {
 
 TEST(Harness, RefusesARunNoLongerThanTheWarmUp) {
   HarnessLog log;
-  testing::ExpectInputError([&] { Race({log.Make("a")}, 5, {.warm_up = 5, .repetitions = 1}); },
+  testing::ExpectInputError([&] { RunInterleaved({log.Make("a")}, 5, {.warm_up = 5, .repetitions = 1}); },
                             {"5 frames", "warm-up of 5", "--warm-up"});
   EXPECT_TRUE(log.calls.empty());
 }

@@ -93,8 +93,8 @@ TEST_F(KeypointsEngine, TheHourglassIsRunAndNothingIsAdded) {
 
 TEST_F(KeypointsEngine, TakesPartInARace) {
   const auto engine = Make(KeypointsMode::kPublished);
-  const std::vector<BenchRow> rows =
-      Race({MakeContender("keypoints:published", *engine, sequence_)}, 3, {.warm_up = 1, .repetitions = 2});
+  const std::vector<BenchRow> rows = RunInterleaved(
+      {MakeContender("keypoints:published", *engine, sequence_)}, 3, {.warm_up = 1, .repetitions = 2});
   ASSERT_EQ(rows.size(), 4u);
   for (const BenchRow& row : rows) {
     EXPECT_DOUBLE_EQ(row.outcome.added_ms, row.input == 1 ? 570 : 0);

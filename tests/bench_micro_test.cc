@@ -33,7 +33,7 @@ TEST(MicroBenchmarks, AllRunAndTakePositiveTime) {
   EXPECT_EQ(all.size(), 6 * setup.models.size() + 2);
   std::vector<Contender> contenders{CalibrationContender()};
   for (const MicroBenchmark& benchmark : all) contenders.push_back(benchmark.make());
-  const std::vector<BenchRow> rows = Race(contenders, 1, {.warm_up = 0, .repetitions = 1});
+  const std::vector<BenchRow> rows = RunInterleaved(contenders, 1, {.warm_up = 0, .repetitions = 1});
   EXPECT_EQ(rows.size(), all.size() + 1);
   const std::vector<NamedSpan> spans = MicroSpans(all, rows);
   ASSERT_EQ(spans.size(), all.size());

@@ -23,7 +23,8 @@ std::vector<size_t> InputsOf(const std::vector<BenchRow>& rows, const std::strin
 TEST(Race, CountsAllFramesButTheWarmUpInEachRepetition) {
   const BenchSequence sequence = BoxSequence({1, 2, 3, 4});
   CountingEngine engine(false);
-  const auto rows = Race({MakeContender("a", engine, sequence)}, 4, {.warm_up = 1, .repetitions = 2});
+  const auto rows =
+      RunInterleaved({MakeContender("a", engine, sequence)}, 4, {.warm_up = 1, .repetitions = 2});
   EXPECT_EQ(InputsOf(rows, "a"), (std::vector<size_t>{1, 2, 3, 1, 2, 3}));
   EXPECT_EQ(engine.seen.size(), 8u);
   EXPECT_EQ(engine.starts, 2);
@@ -36,7 +37,7 @@ TEST(Race, TheTurnBeginsWithAnotherContenderOnEachFrame) {
   const BenchSequence sequence = BoxSequence({1, 1, 1});
   CountingEngine a(false), b(false);
   const auto rows =
-      Race({MakeContender("a", a, sequence), MakeContender("b", b, sequence)}, 3, {.warm_up = 0});
+      RunInterleaved({MakeContender("a", a, sequence), MakeContender("b", b, sequence)}, 3, {.warm_up = 0});
   std::string order;
   for (const BenchRow& row : rows) order += row.contender;
   EXPECT_EQ(order, "abbaab");
@@ -51,7 +52,7 @@ TEST(Race, AContenderLooksAtRowsThatCountAndMayEmptyThem) {
     estimates += row.outcome.estimates.size();
     row.outcome.estimates.clear();
   };
-  const auto rows = Race({contender}, 3, {.warm_up = 1});
+  const auto rows = RunInterleaved({contender}, 3, {.warm_up = 1});
   EXPECT_EQ(estimates, 5u);
   EXPECT_TRUE(rows.back().outcome.estimates.empty());
 }
@@ -63,7 +64,7 @@ TEST(Race, AContenderGetsReadyWithoutTheClock) {
                         return FrameOutcome{};
                       }};
   contender.before = [&] { order += "b"; };
-  Race({contender}, 2, {.warm_up = 1});
+  RunInterleaved({contender}, 2, {.warm_up = 1});
   EXPECT_EQ(order, "brbr");
 }
 
@@ -86,7 +87,7 @@ TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {
                                     MakeContender("full", full, sequence)};
   const auto is_used = [&](size_t input) { return sequence.frames[input].input.detections.size() == 3; };
   contenders[0].wants = PickOne(SparseInputs(is_used, 10, 3, 2));
-  const auto rows = Race(contenders, 10, {.warm_up = 3});
+  const auto rows = RunInterleaved(contenders, 10, {.warm_up = 3});
   EXPECT_EQ(InputsOf(rows, "sparse"), (std::vector<size_t>{3, 7, 9}));  // every second one
   EXPECT_EQ(sparse.seen.size(), 3u + kSparseWarmUp);
   EXPECT_EQ(InputsOf(rows, "full").size(), 7u);
@@ -95,8 +96,9 @@ TEST(Race, ASparseContenderSeesOnlyWhatIsUsedAndAShortWarmUp) {
 TEST(Race, NoMoreInputsThanWarmUpAreAnError) {
   const BenchSequence sequence = BoxSequence({1, 1, 1});
   CountingEngine engine(false);
-  testing::ExpectInputError([&] { Race({MakeContender("a", engine, sequence)}, 3, {.warm_up = 3}); },
-                            {"3 frames", "--warm-up"});
+  testing::ExpectInputError(
+      [&] { RunInterleaved({MakeContender("a", engine, sequence)}, 3, {.warm_up = 3}); },
+      {"3 frames", "--warm-up"});
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<BenchRow> RaceQueries(const InstanceIndex& index, const Eigen::Matri
                      answers[i] = index.Nearest(asked[i], kRetrieved);
                      return FrameOutcome{};
                    }};
-  return Race({single}, count, {.warm_up = kRetrievalWarmUp, .repetitions = 1});
+  return RunInterleaved({single}, count, {.warm_up = kRetrievalWarmUp, .repetitions = 1});
 }
 
 Answers CollectAnswers(const InstanceIndex& index, const Eigen::MatrixXf& queries) {

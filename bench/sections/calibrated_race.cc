@@ -11,7 +11,7 @@ void RaceCalibrated(std::vector<Contender> contenders, size_t inputs, const Harn
   contenders.push_back(CalibrationContender());
   section.warmed_up = options.warm_up;
   section.frames = inputs - std::min(inputs, options.warm_up);
-  for (BenchRow& row : Race(contenders, inputs, options)) {
+  for (BenchRow& row : RunInterleaved(contenders, inputs, options)) {
     if (row.contender == kCalibrationName)
       section.calibration_ms.push_back(row.wall_ms);
     else

@@ -102,7 +102,7 @@ void MeasureMethod(const IndexMethod& method, const RetrievalTask& task, SavedSt
 }
 
 void AddCalibration(BenchSection& section) {
-  for (const BenchRow& row : Race({CalibrationContender()}, kCalibrationPasses, {.warm_up = 1}))
+  for (const BenchRow& row : RunInterleaved({CalibrationContender()}, kCalibrationPasses, {.warm_up = 1}))
     section.calibration_ms.push_back(row.wall_ms);
 }
 

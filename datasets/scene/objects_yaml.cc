@@ -216,10 +216,14 @@ void CheckIsNew(const YamlMap& map, const std::string& id, const std::vector<Sce
 }
 
 Mesh ReadClutterMesh(const YamlMap& map, Random random) {
-  std::string shape;
-  ReadFields(map, {Option("shape", &shape, "", ClutterShapes())},
-             {"size", "position", "yaw_deg", "on", "colour"});
+  map.CheckKeys({"shape", "size", "position", "yaw_deg", "on", "colour"});
   if (!map.Has("shape")) throw InputError(map.At("shape", "is missing; add it"));
+  const std::string shape = map.Text("shape");
+  const auto& shapes = ClutterShapes();
+  if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end()) {
+    throw InputError(
+        fmt::format("{}: {}", map.Where("shape"), UnknownNameMessage("value of shape", shape, shapes)));
+  }
   const Eigen::Vector3d size = ReadSize(map, "size");
   const Colour colour = map.Has("colour") ? ReadColour(map, "colour") : DrawClutterColour(shape, random);
   return ClutterMesh(shape, size, colour, random);

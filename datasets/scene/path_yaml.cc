@@ -7,6 +7,15 @@
 #include "datasets/scene/scene_sections.h"
 
 namespace armature {
+
+enum class PathKind { kLoop, kTurn, kKeyframes };
+
+template <>
+struct EnumNames<PathKind> {
+  static constexpr NamedValue<PathKind> kTable[] = {
+      {PathKind::kLoop, "loop"}, {PathKind::kTurn, "turn"}, {PathKind::kKeyframes, "keyframes"}};
+};
+
 namespace {
 
 using Fields = std::vector<OptionEntry>;
@@ -61,14 +70,14 @@ void ReadKeyframes(const YamlMap& map, const Fields& common, CameraPath* path) {
 CameraPath ReadPath(const YamlMap& file) {
   const YamlMap map = file.MapOrEmpty("path");
   CameraPath path;
-  std::string kind = "loop";
-  ReadField(map, Option("kind", &kind, "", {"loop", "turn", "keyframes"}));
+  PathKind kind = PathKind::kLoop;
+  ReadField(map, Option("kind", &kind, ""));
   const Fields common{Option("height", &path.height, "", 0, 1000),
                       Option("pitch_deg", &path.pitch_deg, "", -89, 89),
                       Option("sway_deg", &path.sway_deg, "", 0, 45)};
-  if (kind == "loop") ReadLoop(map, common, &path);
-  if (kind == "turn") ReadTurn(map, common, &path);
-  if (kind == "keyframes") ReadKeyframes(map, common, &path);
+  if (kind == PathKind::kLoop) ReadLoop(map, common, &path);
+  if (kind == PathKind::kTurn) ReadTurn(map, common, &path);
+  if (kind == PathKind::kKeyframes) ReadKeyframes(map, common, &path);
   return path;
 }
 

@@ -2,44 +2,28 @@
 // Room and lamps of a scene file.
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
-
+#include "base/enum_names.h"
 #include "base/errors.h"
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
 
 namespace armature {
+
+// Those that walls and floors may have.
+template <>
+struct EnumNames<Texture> {
+  static constexpr NamedValue<Texture> kTable[] = {
+      {Texture::kPlain, "plain"},   {Texture::kWood, "wood"},   {Texture::kFabric, "fabric"},
+      {Texture::kCarpet, "carpet"}, {Texture::kTiles, "tiles"}, {Texture::kBoards, "boards"}};
+};
+
 namespace {
 
-constexpr std::array<std::pair<const char*, Texture>, 6> kTextures{{{"plain", Texture::kPlain},
-                                                                    {"wood", Texture::kWood},
-                                                                    {"fabric", Texture::kFabric},
-                                                                    {"carpet", Texture::kCarpet},
-                                                                    {"tiles", Texture::kTiles},
-                                                                    {"boards", Texture::kBoards}}};
-
-std::vector<std::string> TextureNames() {
-  std::vector<std::string> names;
-  names.reserve(kTextures.size());
-  for (const auto& [name, texture] : kTextures) names.emplace_back(name);
-  return names;
-}
-
-Texture ParseTexture(const std::string& wanted) {
-  for (const auto& [name, texture] : kTextures) {
-    if (wanted == name) return texture;
-  }
-  return Texture::kPlain;
-}
-
 void ReadMaterial(const YamlMap& map, Material* material) {
-  std::string texture;
   ReadFields(map,
-             {Option("texture", &texture, "", TextureNames()),
-              Option("scale", &material->scale, "", 1e-3, 100), Option("gloss", &material->gloss, "", 0, 1)},
+             {Option("texture", &material->texture, ""), Option("scale", &material->scale, "", 1e-3, 100),
+              Option("gloss", &material->gloss, "", 0, 1)},
              {"colour", "second"});
-  if (map.Has("texture")) material->texture = ParseTexture(texture);
   if (map.Has("colour")) material->colour = ReadColour(map, "colour");
   // Joints and grain a little darker than the rest.
   material->second = map.Has("second") ? ReadColour(map, "second") : Colour(0.75 * material->colour);

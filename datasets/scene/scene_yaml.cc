@@ -68,11 +68,12 @@ constexpr std::uint64_t kBetweenDraws = 1000;  // of seeds
 
 void ReadHead(const YamlMap& map, int draw, Scene* scene) {
   int seed = 1;
-  ReadFields(
-      map,
-      {Option("name", &scene->name, ""), Option("about", &scene->about, ""), Option("seed", &seed, "", 0),
-       Option("fps", &scene->fps, "", 0.01, 1000), Option("frames", &scene->frames, "", 1, 100000)},
-      {"camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry", "detections"});
+  ReadFields(map,
+             {Option("seed", &seed, "", 0), Option("fps", &scene->fps, "", 0.01, 1000),
+              Option("frames", &scene->frames, "", 1, 100000)},
+             {"name", "about", "camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry",
+              "detections"});
+  if (map.Has("about")) scene->about = map.Text("about");
   scene->name = NameDraw(ReadName(map, "name"), draw);
   scene->seed = static_cast<std::uint64_t>(seed) + kBetweenDraws * static_cast<std::uint64_t>(draw - 1);
 }
