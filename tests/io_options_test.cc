@@ -158,6 +158,8 @@ TEST(NearestName, CountsEdits) {
   EXPECT_EQ(EditDistance("lds", "lsd"), 1);
   EXPECT_EQ(NearestName("tabel", {"chair", "table"}), "table");
   EXPECT_EQ(NearestName("x", {}), "");
+  EXPECT_EQ(NearestName("association.detector", {"association.rounds", "lines.detector"}), "lines.detector");
+  EXPECT_EQ(NearestName("trakcs.enabled", {"floor.enabled", "tracks.enabled"}), "tracks.enabled");
 }
 
 }  // namespace

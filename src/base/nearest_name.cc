@@ -13,11 +13,15 @@ namespace {
 
 constexpr size_t kMostListed = 12;
 
+constexpr int kOtherGroup = 3;  // edits that the right last part in the wrong group counts as
+
+std::string LastPart(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
 int DistanceToKnown(const std::string& name, const std::string& known) {
   const int whole = EditDistance(name, known);
-  const size_t dot = known.rfind('.');
-  if (dot == std::string::npos || name.find('.') != std::string::npos) return whole;
-  return std::min(whole, EditDistance(name, known.substr(dot + 1)) + 1);
+  if (known.find('.') == std::string::npos) return whole;
+  if (name.find('.') == std::string::npos) return std::min(whole, EditDistance(name, LastPart(known)) + 1);
+  return LastPart(name) == LastPart(known) ? std::min(whole, kOtherGroup) : whole;
 }
 
 }  // namespace
