@@ -33,8 +33,7 @@ class ReproduceSmallScene : public ::testing::Test {
  protected:
   void SetUp() override {
     CopySmallScene(folder_, 3);
-    folder_.Write("broken.yaml", "lines: {detector: sonar}
-");
+    folder_.Write("broken.yaml", "lines: {detector: sonar}\n");
     config_ = folder_.Write("den.yaml", kDenMatrix);
   }
   ProgramResult Reproduce(const std::vector<std::string>& more = {}) const {

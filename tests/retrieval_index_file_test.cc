@@ -77,7 +77,7 @@ TEST_P(SavedIndex, ADamagedFileIsRefused) {
 TEST_P(SavedIndex, OtherFeaturesAreRefused) {
   const TempFolder folder;
   Eigen::MatrixXf features = SavedFeatures(60);
-  InstanceIndex(features, SavedMethod(GetParam())).Save(folder / "index");
+  WriteIndex(InstanceIndex(features, SavedMethod(GetParam())), folder / "index");
   const auto expect_refused = [&] {
     ExpectInputError([&] { ReadIndex(folder / "index", features, SavedMethod(GetParam())); },
                      {"other features", "armature retrieve --build"});

@@ -120,8 +120,7 @@ ViewCounts CountViews(const FrameResult& frame, const Camera& camera,
   for (size_t i = 0; i < frame.observations.size(); ++i) {
     const Detection& detection = frame.observations[i].detection;
     ObjectView view = MakeView(detection, frame, camera, LookUpModel(models, detection.category), options);
-    view.hidden_probability =
-        HiddenProbabilities(detection.box, OtherBoxes(frame, i));
+    view.hidden_probability = HiddenProbabilities(detection.box, OtherBoxes(frame, i));
     counts.hypotheses += share * static_cast<double>(CountHypotheses(view, options.association));
     counts.segments += share * static_cast<double>(view.segments.size());
   }

@@ -27,7 +27,9 @@ template <typename Enum>
 struct EnumNames;  // specialised beside each enumeration that has names
 
 template <typename Enum>
-concept NamedEnum = std::is_enum_v<Enum> && requires { EnumNames<Enum>::kTable; };
+concept NamedEnum = std::is_enum_v<Enum> && requires {
+  EnumNames<Enum>::kTable;
+};
 
 template <NamedEnum Enum>
 const char* ToName(Enum value) {

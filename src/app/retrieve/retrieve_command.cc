@@ -43,8 +43,9 @@ std::string NumberMeaning(const RetrievalOptions& options) {
   if (options.covariance) {
     return "in brackets: distance from the estimated coefficients in standard deviations of their covariance";
   }
-  return options.features.space == FeatureSpace::kRaw ? "in brackets: distance of the coefficients in metres"
-                                         : "in brackets: distance of the coefficients in standard deviations";
+  return options.features.space == FeatureSpace::kRaw
+             ? "in brackets: distance of the coefficients in metres"
+             : "in brackets: distance of the coefficients in standard deviations";
 }
 
 // A row an object: its nearest instances with their distances, or what their edges leave unexplained.
