@@ -415,7 +415,7 @@ ObjectMap EmptyMap(const MappingOptions& options, bool odometry_is_metric = fals
 
 TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 60);
   ObjectMap map = EmptyMap({});
   const std::vector<MapFrame> frames = world.Frames(kNoise);
   for (size_t i = 0; i < frames.size(); ++i) {
@@ -428,7 +428,7 @@ TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
     EXPECT_EQ(map.current().objects.empty(), static_cast<int>(i) + 1 < kFirstSolve) << i;
   }
   ASSERT_EQ(map.current().objects.size(), 3u);
-  EXPECT_GT(map.current().objects[0].observations, 30);  // it has been solved again since
+  EXPECT_GT(map.current().objects[0].observations, kFirstSolve);  // it has been solved again since
   EXPECT_LT(TrajectoryError(map.current().T_world_camera, world), 0.1);
 }
 
