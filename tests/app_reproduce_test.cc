@@ -70,7 +70,11 @@ TEST_F(ReproduceSmallScene, LeavesResultsATableAndAReportAndTellsWhatFailed) {
 }
 
 TEST_F(ReproduceSmallScene, TheMainTableHasTheNumbersOfTheRecords) {
-  // Runs are named by folders, records by sequences.
+  // Frames enough for a map. Runs are named by folders, records by sequences.
+  const std::string scene = folder_.Write(
+      "long.yaml", std::regex_replace(testing::kSmallScene, std::regex("frames: 4"), "frames: 12"));
+  fs::remove_all(folder_ / "out");
+  testing::RunOk({"generate", "--scene", scene, "--without-cad", "--out", folder_ / "out"});
   fs::rename(folder_ / "out/den", folder_ / "out/closet");
   folder_.Write("den.yaml", std::regex_replace(kDenMatrix, std::regex("out/den"), "out/closet"));
   ASSERT_EQ(Reproduce({"--only", "objects,odometry", "--name", "den"}).status, 0);
@@ -87,8 +91,8 @@ TEST_F(ReproduceSmallScene, TheMainTableHasTheNumbersOfTheRecords) {
     ASSERT_TRUE(record.object_error_mean_m && row["average [m]"].is_number()) << row;
     EXPECT_NEAR(row["average [m]"], *record.object_error_mean_m, 5.1e-5);
     EXPECT_GT(*record.object_error_mean_m, 0.0);
-    EXPECT_LT(*record.object_error_mean_m, 0.5);
-    EXPECT_LT(row["cameras [m]"], 0.5);
+    EXPECT_LT(*record.object_error_mean_m, 0.1);  // the table's; 0.02 and 0.03 are reached
+    EXPECT_LT(row["cameras [m]"], 0.3);
     ++compared;
   }
   EXPECT_EQ(compared, 2);

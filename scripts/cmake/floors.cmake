@@ -17,7 +17,7 @@ function(armature_floor name)
   set_property(GLOBAL APPEND PROPERTY ARMATURE_FLOORS ${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${root}>)
   target_include_directories(
-    ${target} SYSTEM PUBLIC $<BUILD_INTERFACE:${OpenCV_INCLUDE_DIRS}> $<BUILD_INTERFACE:${CERES_INCLUDE_DIRS}>
+    ${target} SYSTEM PUBLIC ${OpenCV_INCLUDE_DIRS} ${CERES_INCLUDE_DIRS}
     PRIVATE ${FLANN_INCLUDE_DIR} ${PCL_INCLUDE_DIR})
   list(TRANSFORM floor_BELOW PREPEND armature_)
   target_link_libraries(
