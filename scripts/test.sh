@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Everything that has to pass: set-up, format, release build and tests, the same with address and undefined-behaviour
-# sanitizers. The last line is `N passed, N failed, N skipped`, the test cases of both builds together; a step that fails
-# before its tests (format, build) counts as one failure. Exit status 0 only when nothing failed.
+# Everything that has to pass: set-up, format, the release build of the program and the tests that go through it; then
+# these and all other tests with address and undefined-behaviour sanitizers. The last line is `N passed, N failed, N
+# skipped`, the test cases of both builds together; a step that fails before its tests (format, build) counts as one
+# failure. Exit status 0 only when nothing failed.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
@@ -42,16 +43,19 @@ count() {
   done < <(sed -nE 's/.*<testcase name="([^"]*)".* status="([^"]*)".*/\1 \2/p' "$tests")
 }
 
+# Builds the targets (all, if none is named), and runs the tests that have the label (all: ".").
 build_and_test() {
-  local preset=$1 tests=build/$1/tests.xml results=build/$1/tests/results
+  local preset=$1 label=$2 targets=("${@:3}") tests=build/$1/tests.xml results=build/$1/tests/results
   step "build ($preset)"
-  if ! scripts/build.sh "$preset"; then
+  if ! scripts/build.sh "$preset" "${targets[@]}"; then
     failed=$((failed + 1))
     return
   fi
   step "tests ($preset)"
   rm -rf "$tests" "$results"
-  ctest --preset "$preset" --parallel "$(nproc)" --output-junit tests.xml --no-tests=error
+  local labels=()
+  [[ $label == . ]] || labels=(--label-regex "$label")
+  ctest --preset "$preset" "${labels[@]}" --parallel "$(nproc)" --output-junit tests.xml --no-tests=error
   if [[ -f $tests ]]; then
     count "$tests" "$results"
   else
@@ -66,6 +70,6 @@ if ! scripts/setup.sh tests; then
 fi
 step format
 scripts/format.sh --check || failed=$((failed + 1))
-build_and_test release
-build_and_test asan
+build_and_test release program armature_program program_tests
+build_and_test asan .
 finish
