@@ -14,7 +14,7 @@ std::vector<std::string> CategoriesAmong(const EvaluatedQueries& evaluated, cons
   return categories;
 }
 
-std::optional<double> ShareOf(int part, int whole) {
+std::optional<double> ComputeShare(int part, int whole) {
   return whole > 0 ? std::optional(static_cast<double>(part) / whole) : std::nullopt;
 }
 
@@ -28,8 +28,8 @@ RetrievalRecord MakeRecord(const std::string& run, const std::optional<std::stri
           .category = category,
           .queries = s.queries,
           .in_library = s.in_library,
-          .top_1_share = ShareOf(s.top_1, s.in_library),
-          .top_5_share = ShareOf(s.top_5, s.in_library),
+          .top_1_share = ComputeShare(s.top_1, s.in_library),
+          .top_5_share = ComputeShare(s.top_5, s.in_library),
           .mean_reciprocal_rank = s.mean_reciprocal_rank,
           .compared = s.compared,
           .chamfer_m = s.chamfer,

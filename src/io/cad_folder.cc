@@ -116,7 +116,7 @@ const std::vector<CadSource>& Sources() {
   return sources;
 }
 
-Eigen::Matrix3d ObjectFrameOf(const std::string& format) {
+Eigen::Matrix3d FindObjectFrame(const std::string& format) {
   for (const AnnotationTable& table : AnnotationTables()) {
     if (table.format == format) return table.R_object_table;
   }
@@ -129,7 +129,7 @@ Extents ReadExtents(const fs::path& folder, const CadSource& source) {
   Extents extents;
   const fs::path file = folder / source.boxes;
   if (source.boxes.empty() || !fs::exists(file)) return extents;
-  const Eigen::Matrix3d R_annotation_table = ObjectFrameOf(source.format);
+  const Eigen::Matrix3d R_annotation_table = FindObjectFrame(source.format);
   for (const TextLine& line : ReadTextLines(file)) {
     const TableBox box = ParseTableBox(file, line);
     const Eigen::Vector3d centre = R_annotation_table * box.centre;
@@ -148,7 +148,7 @@ CadModel LookUpModel(const CadSource& source, const AnnotatedModel& annotated, c
     model.box_min = boxes->second.min();
     model.box_max = boxes->second.max();
     model.geometry = source.boxes + "#" + annotated.id;
-    model.T_annotation_geometry = Eigen::Affine3d(ObjectFrameOf(source.format));
+    model.T_annotation_geometry = Eigen::Affine3d(FindObjectFrame(source.format));
     return model;
   }
   const Eigen::Vector3d centre = BoundingBoxCenter(model.wireframe),
