@@ -24,24 +24,23 @@ inline CadInstance BlockInstance(const std::string& id, const std::string& categ
 }
 
 // A block between two corners given as shares of the size, -0.5..0.5.
-inline Part ComputeShare(const Eigen::Vector3d& size, const Eigen::Vector3d& low,
-                         const Eigen::Vector3d& high) {
+inline Part MakePart(const Eigen::Vector3d& size, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   return Block(Eigen::Vector3d(size.cwiseProduct(low)), Eigen::Vector3d(size.cwiseProduct(high)), Material());
 }
 
 // Seat and what is below it as one block, and a back.
 inline CadInstance BlockChair(const std::string& id, const Eigen::Vector3d& size) {
   return BlockInstance(id, "chair", size,
-                       {ComputeShare(size, {-0.5, -0.5, -0.5}, {0.5, 0.0, 0.5}),
-                        ComputeShare(size, {-0.5, 0.0, -0.5}, {0.5, 0.5, -0.4})});
+                       {MakePart(size, {-0.5, -0.5, -0.5}, {0.5, 0.0, 0.5}),
+                        MakePart(size, {-0.5, 0.0, -0.5}, {0.5, 0.5, -0.4})});
 }
 
 // A top on four legs.
 inline CadInstance BlockTable(const std::string& id, const Eigen::Vector3d& size) {
-  std::vector<Part> parts{ComputeShare(size, {-0.5, 0.45, -0.5}, {0.5, 0.5, 0.5})};
+  std::vector<Part> parts{MakePart(size, {-0.5, 0.45, -0.5}, {0.5, 0.5, 0.5})};
   for (const double x : {-0.5, 0.44}) {
     for (const double z : {-0.5, 0.44}) {
-      parts.push_back(ComputeShare(size, {x, -0.5, z}, {x + 0.06, 0.45, z + 0.06}));
+      parts.push_back(MakePart(size, {x, -0.5, z}, {x + 0.06, 0.45, z + 0.06}));
     }
   }
   return BlockInstance(id, "table", size, parts);
@@ -50,8 +49,8 @@ inline CadInstance BlockTable(const std::string& id, const Eigen::Vector3d& size
 // Base and lid.
 inline CadInstance BlockLaptop(const std::string& id, const Eigen::Vector3d& size) {
   return BlockInstance(id, "laptop", size,
-                       {ComputeShare(size, {-0.5, -0.5, -0.3}, {0.5, -0.45, 0.5}),
-                        ComputeShare(size, {-0.5, -0.5, -0.5}, {0.5, 0.5, -0.3})});
+                       {MakePart(size, {-0.5, -0.5, -0.3}, {0.5, -0.45, 0.5}),
+                        MakePart(size, {-0.5, -0.5, -0.5}, {0.5, 0.5, -0.3})});
 }
 
 // Two of a category, the first not held out: chair-0001, chair-0010, table-0001, ...; `scale` of the
