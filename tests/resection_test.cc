@@ -199,9 +199,13 @@ TEST(ResectionProblem, LineResidualIsTheDistanceInPixels) {
 // What the normal term says of an object that is turned by an angle from upright, as a share of the weight.
 double NormalResidual(const std::string& category, NormalTerm term, double tilt) {
   const SyntheticView synthetic(category, 0.5, {0, 0.2, 3}, Eigen::Vector3d::Zero());
-  ResectionProblem problem = ProblemOf(synthetic);
-  problem.line_terms.clear();
-  problem.plane_terms.clear();
+  ResectionProblem problem;
+  problem.camera = &synthetic.camera;
+  problem.model = &synthetic.model;
+  problem.R0 = synthetic.truth.T_camera_object.linear();
+  problem.T0 = synthetic.truth.T_camera_object.translation();
+  problem.up_camera = *synthetic.view.up_camera;
+  problem.up_weight = 40;
   problem.normal_term = term;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters()), residuals(problem.NumResiduals());
   x(2) = tilt;
