@@ -7,4 +7,6 @@ cd "$(dirname "$0")/.."
 
 scripts/setup.sh program
 scripts/build.sh release armature_program
+# A first report within minutes: few frames of each sequence.
+if [[ $# -eq 0 ]]; then build/release/armature reproduce --fast; fi
 build/release/armature reproduce "$@"
