@@ -7,6 +7,7 @@
 #include "geometry/rotation.h"
 #include "pipeline/frame_pipeline.h"
 #include "pipeline/object_estimator.h"
+#include "support/expect_input_error.h"
 #include "support/synthetic_view.h"
 #include "tracking/floor_height.h"
 #include "tracking/object_tracks.h"
@@ -214,6 +215,15 @@ TEST(FramePipeline, AFrameWithoutDetectionsHasNoObservations) {
   EXPECT_TRUE(result.observations.empty());
   EXPECT_TRUE(result.segments.empty());
   EXPECT_NEAR(result.up_camera.norm(), 1, 1e-9);
+}
+
+TEST(FramePipeline, ADetectionOfACategoryWithoutModelIsAnError) {
+  const SyntheticView synthetic("chair", 0.6, {0.1, 0.2, 2.8}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+  Detection sofa = synthetic.view.detection;
+  sofa.category = "sofa";
+  const cv::Mat black = cv::Mat::zeros(480, 856, CV_8U);
+  testing::ExpectInputError([&] { pipeline.Process(black, {0.0, {sofa}, std::nullopt}); }, {"'sofa'"});
 }
 
 TEST(FramePipeline, WithoutOdometryThereIsNoMap) {

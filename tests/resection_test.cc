@@ -271,6 +271,20 @@ TEST(Resection, RecoversPoseAndShapeFromPerfectLines) {
   }
 }
 
+TEST(Resection, SaysWhyItStopped) {
+  const SyntheticView synthetic("chair", 0.6, {0.1, 0.2, 2.8}, Eigen::Vector2d(0.8, -0.6));
+  PoseAndShape start = synthetic.truth;
+  start.T_camera_object.translation().z() += 0.1;
+  ResectionOptions options;
+  options.max_iterations = 1;
+  EXPECT_EQ(ResectRounds(synthetic, start, options, 1).stop, StopReason::kMaxIterations);
+  options.max_iterations = 100;
+  const ResectionResult result = ResectRounds(synthetic, start, options, 1);
+  EXPECT_TRUE(result.stop == StopReason::kCost || result.stop == StopReason::kStep)
+      << StopReasonName(result.stop);
+  EXPECT_TRUE(result.finite());
+}
+
 TEST(Resection, JointCostIsNoHigherThanAlternating) {
   const SyntheticView synthetic("chair", 0.6, {0.1, 0.2, 2.8}, Eigen::Vector2d(0.8, -0.6));
   PoseAndShape start = synthetic.truth;
