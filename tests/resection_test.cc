@@ -31,7 +31,8 @@ Eigen::MatrixXd JacobianByDifferences(const ResectionProblem& problem, const Eig
   return J;
 }
 
-ResectionProblem ProblemOf(const SyntheticView& synthetic) {
+// At the truth, without lines.
+ResectionProblem BareProblem(const SyntheticView& synthetic) {
   ResectionProblem problem;
   problem.camera = &synthetic.camera;
   problem.model = &synthetic.model;
@@ -39,6 +40,11 @@ ResectionProblem ProblemOf(const SyntheticView& synthetic) {
   problem.T0 = synthetic.truth.T_camera_object.translation();
   problem.up_camera = *synthetic.view.up_camera;
   problem.up_weight = 40;
+  return problem;
+}
+
+ResectionProblem ProblemOf(const SyntheticView& synthetic) {
+  ResectionProblem problem = BareProblem(synthetic);
   problem.shape_weight = 0.7;
   const Eigen::Vector3d line = Eigen::Vector3d(0.6, 0.8, -450);
   problem.line_terms.push_back({PointOnEdge(synthetic.model, 3, 0.2), line, 0.5, 3, false});
@@ -199,13 +205,7 @@ TEST(ResectionProblem, LineResidualIsTheDistanceInPixels) {
 // What the normal term says of an object that is turned by an angle from upright, as a share of the weight.
 double NormalResidual(const std::string& category, NormalTerm term, double tilt) {
   const SyntheticView synthetic(category, 0.5, {0, 0.2, 3}, Eigen::Vector3d::Zero());
-  ResectionProblem problem;
-  problem.camera = &synthetic.camera;
-  problem.model = &synthetic.model;
-  problem.R0 = synthetic.truth.T_camera_object.linear();
-  problem.T0 = synthetic.truth.T_camera_object.translation();
-  problem.up_camera = *synthetic.view.up_camera;
-  problem.up_weight = 40;
+  ResectionProblem problem = BareProblem(synthetic);
   problem.normal_term = term;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(problem.NumParameters()), residuals(problem.NumResiduals());
   x(2) = tilt;

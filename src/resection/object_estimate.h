@@ -30,7 +30,8 @@ struct ObjectEstimate {
   // both in the camera frame: R = exp(w) R_est, t = t_est + v.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
   std::vector<EdgeMatch> matches;
-  double cost = 0;  // the association's cost of this estimate, smaller is better, see association/cost.h
+  double cost =
+      0;  // the association's cost of this estimate, smaller is better, see association/hypothesis_cost.h
   double rms_pixels = 0;                         // of the matched segments' ends from their projected edges
   int iterations = 0;                            // of the optimiser, all rounds of the winning hypothesis
   StopReason stop = StopReason::kMaxIterations;  // of its last round
