@@ -72,7 +72,7 @@ struct TrackPrior {
 
 struct ObjectView {
   const Camera* camera = nullptr;
-  const CategoryModel* model = nullptr;
+  const CategoryModel* model = nullptr;  // none: not to be looked at, the detection repeats another
   Detection detection;
   BoxSides sides{};  // of the detection's box
   std::array<double, 4>

@@ -37,7 +37,7 @@ class StageStatistics {
 // Every status, in the order of the enumeration.
 inline constexpr std::array kAllStatuses{EstimateStatus::kOk, EstimateStatus::kTooFewEdges,
                                          EstimateStatus::kBehindCamera, EstimateStatus::kDiverged,
-                                         EstimateStatus::kOffTheBox};
+                                         EstimateStatus::kOffTheBox, EstimateStatus::kRepeated};
 
 struct SkippedImage {
   double timestamp = 0;  // seconds

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kKnotSeconds = 2;             // between the knots of the odometry's scale
 constexpr double kLeastUpSigma = 1 * kDegree;  // up as the front end has it is never surer
-constexpr double kFlipped = 50 * kDegree;      // views turned by more than this do not see the same front
+// Where the odometry jumped, the camera went on as before but for about so much, radians and metres.
+constexpr double kJumpTurn = 10 * kDegree, kJumpWay = 0.3;
+constexpr double kFlipped = 50 * kDegree;  // views turned by more than this do not see the same front
 
 struct PlacedView {
   int camera = 0;
@@ -82,9 +84,15 @@ MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstim
     step.from = static_cast<int>(i) - 1;
     step.to = static_cast<int>(i);
     step.T_from_to = frames[i - 1].T_odom_camera.inverse() * frames[i].T_odom_camera;
+    // Of passed frames between them as of one step: errors of an odometry's small steps are not independent,
+    // and a camera that a long video leaves free follows the views' errors: the scale shrinks.
     step.rotation_sigma = noise.rotation_sigma_deg * kDegree;
     step.translation_sigma =
         noise.translation_sigma * scale * step.T_from_to.translation().norm() + noise.translation_floor;
+    if (frames[i].follows_jump) {
+      step.rotation_sigma = kJumpTurn;
+      step.translation_sigma = kJumpWay;
+    }
     const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / kKnotSeconds;
     step.knot = std::clamp(static_cast<int>(at), 0, knots - 2);
     step.share = at - step.knot;
@@ -100,30 +108,39 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
                                 int min_observations) {
   struct Piece {
     double last_seen = 0;
+    int observations = 0;                            // those of passed frames as well
     std::vector<std::pair<size_t, size_t>> members;  // frame, observation
   };
   std::vector<Piece> pieces;
   std::map<int, size_t> piece_of_track;
+  const auto see = [&](int track, bool is_joined, double timestamp) -> Piece& {
+    const auto found = piece_of_track.find(track);
+    if (found == piece_of_track.end() ||
+        (!is_joined && timestamp - pieces[found->second].last_seen > recent_seconds)) {
+      piece_of_track[track] = pieces.size();
+      pieces.emplace_back();
+    }
+    Piece& piece = pieces[piece_of_track[track]];
+    piece.last_seen = timestamp;
+    ++piece.observations;
+    return piece;
+  };
   ObjectOfObservation phi;
   for (size_t i = 0; i < frames.size(); ++i) {
+    for (const PassedFrame& passed : frames[i].passed) {
+      for (const SeenBox& box : passed.boxes) {
+        if (box.track >= 0) see(box.track, false, passed.timestamp);
+      }
+    }
     phi.emplace_back(frames[i].observations.size(), -1);
     for (size_t j = 0; j < frames[i].observations.size(); ++j) {
-      const int track = frames[i].observations[j].track;
-      if (track < 0) continue;
-      const auto found = piece_of_track.find(track);
-      if (found == piece_of_track.end() ||
-          frames[i].timestamp - pieces[found->second].last_seen > recent_seconds) {
-        piece_of_track[track] = pieces.size();
-        pieces.emplace_back();
-      }
-      Piece& piece = pieces[piece_of_track[track]];
-      piece.last_seen = frames[i].timestamp;
-      piece.members.emplace_back(i, j);
+      const auto& [view, track, is_joined, measured, evidence] = frames[i].observations[j];
+      if (track >= 0) see(track, is_joined, frames[i].timestamp).members.emplace_back(i, j);
     }
   }
   int objects = 0;
   for (const Piece& piece : pieces) {
-    if (static_cast<int>(piece.members.size()) < min_observations) continue;
+    if (piece.observations < min_observations || piece.members.empty()) continue;
     for (const auto& [i, j] : piece.members) phi[i][j] = objects;
     ++objects;
   }

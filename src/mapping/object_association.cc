@@ -124,21 +124,6 @@ double Distance(const MapGraph& graph, const GraphObject& a, const Seen& b, doub
   return *middle;
 }
 
-// First and last stamps at which phi has each object.
-std::vector<std::pair<double, double>> Spans(size_t objects, const std::vector<MapFrame>& frames,
-                                             const ObjectOfObservation& phi) {
-  std::vector<std::pair<double, double>> spans(objects, {1e18, -1e18});
-  for (size_t i = 0; i < frames.size(); ++i) {
-    for (const int object : phi[i]) {
-      if (object < 0) continue;
-      auto& [first, last] = spans[static_cast<size_t>(object)];
-      first = std::min(first, frames[i].timestamp);
-      last = std::max(last, frames[i].timestamp);
-    }
-  }
-  return spans;
-}
-
 // How well the views of `joined` agree that it is `kept`; `way`: metres between them.
 MergeCandidate Compare(const MapGraph& graph, size_t kept, size_t joined, const Seen& seen, double way,
                        const ObjectAssociationOptions& options) {
@@ -256,33 +241,51 @@ void DropUnseen(MapGraph& graph, ObjectOfObservation& phi) {
   }
 }
 
+std::vector<TimeSpan> SeenSpans(size_t objects, const std::vector<MapFrame>& frames,
+                                const ObjectOfObservation& phi) {
+  std::vector<TimeSpan> spans(objects);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    for (const int object : phi[i]) {
+      if (object < 0) continue;
+      TimeSpan& span = spans[static_cast<size_t>(object)];
+      span.first = std::min(span.first, frames[i].timestamp);
+      span.last = std::max(span.last, frames[i].timestamp);
+    }
+  }
+  return spans;
+}
+
+std::vector<int> AssociateFrame(const std::vector<GraphObject>& objects, const std::vector<TimeSpan>& spans,
+                                const PassedFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                std::optional<double> seconds_between) {
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(frame.boxes.size()),
+                                                    static_cast<Eigen::Index>(objects.size()), kForbidden);
+  for (size_t o = 0; o < objects.size() && !frame.boxes.empty(); ++o) {
+    if (seconds_between && (frame.timestamp < spans[o].first - *seconds_between ||
+                            frame.timestamp > spans[o].last + *seconds_between))
+      continue;
+    const PoseAndShape object{T_world_camera.inverse() * objects[o].T_world_object, objects[o].coefficients};
+    if (object.T_camera_object.translation().z() < 0.1) continue;
+    const auto expected = ExpectedBox(*frame.camera, *objects[o].model, object);
+    if (!expected) continue;
+    for (size_t j = 0; j < frame.boxes.size(); ++j) {
+      if (frame.boxes[j].model != objects[o].model) continue;
+      const auto agreement = BoxAgreement(*expected, frame.boxes[j].box, kSeenOverlap);
+      if (!agreement) continue;
+      costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - *agreement;
+    }
+  }
+  return Assign(costs);
+}
+
 ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
                                         const ObjectOfObservation& phi,
                                         std::optional<double> seconds_between) {
-  const std::vector<std::pair<double, double>> spans = Spans(graph.objects.size(), frames, phi);
+  const std::vector<TimeSpan> spans = SeenSpans(graph.objects.size(), frames, phi);
   ObjectOfObservation result;
   for (size_t i = 0; i < frames.size(); ++i) {
-    const std::vector<MapObservation>& observations = frames[i].observations;
-    Eigen::MatrixXd costs =
-        Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(observations.size()),
-                                  static_cast<Eigen::Index>(graph.objects.size()), kForbidden);
-    for (size_t o = 0; o < graph.objects.size() && !observations.empty(); ++o) {
-      if (seconds_between && (frames[i].timestamp < spans[o].first - *seconds_between ||
-                              frames[i].timestamp > spans[o].second + *seconds_between))
-        continue;
-      const PoseAndShape object{graph.T_world_camera[i].inverse() * graph.objects[o].T_world_object,
-                                graph.objects[o].coefficients};
-      if (object.T_camera_object.translation().z() < 0.1) continue;
-      const auto expected = ExpectedBox(*observations.front().view.camera, *graph.objects[o].model, object);
-      if (!expected) continue;
-      for (size_t j = 0; j < observations.size(); ++j) {
-        if (observations[j].view.model != graph.objects[o].model) continue;
-        const auto agreement = BoxAgreement(*expected, observations[j].view.detection.box, kSeenOverlap);
-        if (!agreement) continue;
-        costs(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(o)) = 1.3 - *agreement;
-      }
-    }
-    result.push_back(Assign(costs));
+    result.push_back(AssociateFrame(graph.objects, spans, WithoutEvidence(frames[i]), graph.T_world_camera[i],
+                                    seconds_between));
   }
   return result;
 }

@@ -46,4 +46,18 @@ ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector
                                         const ObjectOfObservation& phi,
                                         std::optional<double> seconds_between);
 
+// First and last time at which an object is seen, seconds.
+struct TimeSpan {
+  double first = 1e18, last = -1e18;
+};
+
+// Of each object, as phi has it.
+std::vector<TimeSpan> SeenSpans(size_t objects, const std::vector<MapFrame>& frames,
+                                const ObjectOfObservation& phi);
+
+// The detections of one frame to the objects, as AssociateDetections does: each detection's object.
+std::vector<int> AssociateFrame(const std::vector<GraphObject>& objects, const std::vector<TimeSpan>& spans,
+                                const PassedFrame& frame, const Eigen::Isometry3d& T_world_camera,
+                                std::optional<double> seconds_between);
+
 }  // namespace armature

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "mapping/keyframes.h"
+
 namespace armature {
 namespace {
 
@@ -11,21 +13,57 @@ constexpr double kSolveGrowth = 1.4;  // and again whenever there are this many 
 
 }  // namespace
 
-ScaleEstimate ObjectMap::Expected(const ScaleEstimate& learnt) const {
-  return odometry_is_metric_ ? ScaleEstimate{1, 0} : learnt;
+void ObjectMap::Add(MapFrame frame, const ScaleEstimate& expected_scale) {
+  for (MapObservation& observation : frame.observations) {
+    const auto joined = joined_tracks_.find(observation.track);
+    if (joined != joined_tracks_.end()) observation.track = joined->second;
+  }
+  frames_.push_back(std::move(frame));
+  ++added_;
+  if (added_ < std::max<double>(kFirstSolve, next_solve_)) {
+    FollowOdometry(expected_scale.scale);
+  } else {
+    next_solve_ = added_ * kSolveGrowth;
+    MappingOptions without_refinement = options_;
+    without_refinement.refinement.rounds = 0;
+    current_ = SolveMap(frames_, expected_scale, box_, resection_, without_refinement);
+    if (frames_.size() >= kAlwaysKept) RememberObjects();
+  }
+  while (const auto superfluous = FindSuperfluousFrame(frames_, current_.T_world_camera)) Pass(*superfluous);
 }
 
-void ObjectMap::Add(MapFrame frame, const ScaleEstimate& expected_scale) {
-  frames_.push_back(std::move(frame));
-  const auto count = static_cast<double>(frames_.size());
-  if (count < std::max<double>(kFirstSolve, next_solve_)) {
-    FollowOdometry(Expected(expected_scale).scale);
-    return;
+void ObjectMap::Undo(const UnitChange& change) {
+  const auto undo = [&](double timestamp, Eigen::Isometry3d& T_odom_camera) {
+    if (timestamp > change.timestamp) T_odom_camera.translation() = change.Undo(T_odom_camera.translation());
+  };
+  for (MapFrame& frame : frames_) {
+    undo(frame.timestamp, frame.T_odom_camera);
+    for (PassedFrame& passed : frame.passed) undo(passed.timestamp, passed.T_odom_camera);
   }
-  next_solve_ = count * kSolveGrowth;
-  MappingOptions without_refinement = options_;
-  without_refinement.refinement.rounds = 0;
-  current_ = SolveMap(frames_, Expected(expected_scale), box_, resection_, without_refinement);
+}
+
+// In a long video the same tracks would be found to be one object again and again.
+void ObjectMap::RememberObjects() {
+  std::map<int, int> first_track;  // of each object
+  for (size_t i = 0; i < frames_.size(); ++i) {
+    for (size_t j = 0; j < frames_[i].observations.size(); ++j) {
+      const int object = current_.phi[i][j];
+      if (object < 0) continue;
+      MapObservation& observation = frames_[i].observations[j];
+      const int track = first_track.emplace(object, observation.track).first->second;
+      joined_tracks_[observation.track] = track;
+      observation.track = track;
+      observation.is_joined = true;
+    }
+  }
+}
+
+void ObjectMap::Pass(size_t index) {
+  PassOver(index, frames_);
+  const auto at = static_cast<std::ptrdiff_t>(index);
+  current_.timestamps.erase(current_.timestamps.begin() + at);
+  current_.T_world_camera.erase(current_.T_world_camera.begin() + at);
+  current_.phi.erase(current_.phi.begin() + at);
 }
 
 void ObjectMap::FollowOdometry(double scale) {
@@ -43,7 +81,11 @@ void ObjectMap::FollowOdometry(double scale) {
 }
 
 Map ObjectMap::Solve(const ScaleEstimate& expected_scale) const {
-  return SolveMap(frames_, Expected(expected_scale), box_, resection_, options_);
+  return SolveMap(frames_, expected_scale, box_, resection_, options_);
+}
+
+Map ObjectMap::WithAllFrames(const Map& map) const {
+  return WithPassedFrames(frames_, map, SecondsBetween(options_));
 }
 
 }  // namespace armature

@@ -28,6 +28,9 @@ struct MappingOptions {
   RefinementOptions refinement;
 };
 
+// Without loop closure, only objects seen within these seconds are candidates.
+std::optional<double> SecondsBetween(const MappingOptions& options);
+
 struct MapObject {
   std::string id;  // "chair0": category and number, in the order in which they were first seen
   const CategoryModel* model = nullptr;
@@ -45,9 +48,10 @@ struct Map {
   std::vector<double> timestamps;                            // seconds, one a camera
   std::vector<Eigen::Isometry3d> T_world_camera;             // metres; the world is the odometry's frame
   std::vector<MapObject> objects;
-  ObjectOfObservation phi;            // indices into `objects`
-  std::vector<double> log_scale;      // of metres a unit of odometry, at the knots
-  std::optional<double> scale_sigma;  // standard deviation of the mean of log_scale, where it was asked for
+  ObjectOfObservation phi;        // indices into `objects`
+  std::vector<double> log_scale;  // of metres a unit of odometry, at the knots
+  // Standard deviation of the mean of log_scale, the objects' unknown sizes included; where it was asked for.
+  std::optional<double> scale_sigma;
 
   double MeanScale() const;  // metres a unit of odometry
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/stage_clock.h"
@@ -13,6 +14,9 @@
 
 namespace armature {
 namespace {
+
+// Intersection over union of two boxes that are one detection twice. Neighbouring chairs in a row stay below.
+constexpr double kRepeatedOverlap = 0.85;
 
 std::vector<std::shared_ptr<const CategoryModel>> Share(std::vector<CategoryModel> models) {
   std::vector<std::shared_ptr<const CategoryModel>> shared;
@@ -27,20 +31,43 @@ std::vector<Box> CollectBoxes(const std::vector<Detection>& detections) {
   return boxes;
 }
 
-FrameInput WithoutViewpoints(FrameInput input) {
-  for (Detection& detection : input.detections) {
+void ForgetViewpoints(std::vector<Detection>& detections) {
+  for (Detection& detection : detections) {
     detection.azimuth.reset();
     detection.elevation.reset();
     detection.tilt.reset();
   }
-  return input;
+}
+
+// The same map with its origin elsewhere.
+void MoveBy(const Eigen::Vector3d& shift, Map& map) {
+  for (Eigen::Isometry3d& T_world_camera : map.T_world_camera) T_world_camera.pretranslate(shift);
+  for (MapObject& object : map.objects) object.T_world_object.pretranslate(shift);
+}
+
+// For each detection whether it says what another has said: of the same category, in nearly the same place.
+// The one with the highest score stays. Detectors do it, and merged lists of detections.
+std::vector<bool> FindRepeated(const std::vector<Detection>& detections) {
+  std::vector<size_t> order(detections.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return detections[a].score > detections[b].score; });
+  std::vector<bool> repeated(detections.size(), false);
+  for (size_t a = 0; a < order.size(); ++a) {
+    for (size_t b = 0; b < a; ++b) {
+      const Detection &first = detections[order[b]], &later = detections[order[a]];
+      if (first.category == later.category && IntersectionOverUnion(first.box, later.box) > kRepeatedOverlap)
+        repeated[order[a]] = true;
+    }
+  }
+  return repeated;
 }
 
 void MarkHiddenSides(std::vector<ObjectInFrame>& objects) {
   for (ObjectInFrame& object : objects) {
     std::vector<Box> others;
     for (const ObjectInFrame& other : objects) {
-      if (&other != &object) others.push_back(other.view.detection.box);
+      if (&other != &object && other.view.model) others.push_back(other.view.detection.box);
     }
     object.view.hidden_probability = HiddenProbabilities(object.view.detection.box, others);
   }
@@ -52,7 +79,9 @@ std::vector<ObjectInFrame*> LargestFirst(std::vector<ObjectInFrame>& objects) {
     return BoundingBoxSize(WireframeFromVector(object->view.model->mean)).prod();
   };
   std::vector<ObjectInFrame*> order;
-  for (ObjectInFrame& object : objects) order.push_back(&object);
+  for (ObjectInFrame& object : objects) {
+    if (object.view.model) order.push_back(&object);
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](const ObjectInFrame* a, const ObjectInFrame* b) { return volume(a) > volume(b); });
   return order;
@@ -89,8 +118,8 @@ FramePipeline::FramePipeline(Options options, Camera camera, std::vector<Categor
       up_odom_(up_odom),
       detector_(MakeLineDetector(options_.lines)),
       floor_(options_.floor),
-      tracks_(options_.tracks),
-      map_(options_.mapping, options_.association.box, options_.resection, odometry_is_metric) {}
+      tracks_(options_.tracks, odometry_is_metric),
+      map_(options_.mapping, options_.association.box, options_.resection) {}
 
 FrameResult FramePipeline::Process(const cv::Mat& gray, const FrameInput& input) {
   return Process(DetectLines(gray, input.detections), input);
@@ -105,8 +134,10 @@ DetectedLines FramePipeline::DetectLines(const cv::Mat& gray, const std::vector<
 }
 
 FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given) {
-  const FrameInput input = options_.association.hypotheses.use_viewpoint ? given : WithoutViewpoints(given);
+  const PreparedInput input = Prepare(given);
   FrameResult frame;
+  frame.follows_jump = input.follows_jump;
+  frame.unit_changed = input.unit_changed;
   frame.timestamp = input.timestamp;
   frame.segments = std::move(lines.segments);
   frame.times.lines = lines.milliseconds;
@@ -133,6 +164,39 @@ FrameResult FramePipeline::Process(DetectedLines lines, const FrameInput& given)
   return frame;
 }
 
+// Positions from the first one on: what follows does not depend on where the odometry's origin is.
+FramePipeline::PreparedInput FramePipeline::Prepare(const FrameInput& given) {
+  PreparedInput input{given};
+  if (!options_.association.hypotheses.use_viewpoint) ForgetViewpoints(input.detections);
+  if (!input.T_odom_camera) return input;
+  if (!origin_odom_) origin_odom_ = input.T_odom_camera->translation();
+  input.T_odom_camera->pretranslate(-*origin_odom_);
+  const std::vector<ObjectView> views = ViewBoxes(input.detections);
+  const OdometryJumps::Step step =
+      jumps_.Follow(input.timestamp, *input.T_odom_camera, tracks_.Scale().IsKnown(),
+                    [&](const Eigen::Isometry3d& T_odom_camera) {
+                      return tracks_.Agreement(input.timestamp, views, T_odom_camera);
+                    });
+  input.T_odom_camera = step.T_odom_camera;
+  input.follows_jump = step.is_jump;
+  input.unit_changed = step.unit_change.has_value();
+  if (step.unit_change) map_.Undo(*step.unit_change);
+  tracks_.Follow(input.timestamp, step.T_odom_camera);
+  return input;
+}
+
+// Of the detections only what tracks know of: category and box.
+std::vector<ObjectView> FramePipeline::ViewBoxes(const std::vector<Detection>& detections) const {
+  std::vector<ObjectView> views;
+  for (const Detection& detection : detections) {
+    ObjectView& view = views.emplace_back();
+    view.camera = &camera_;
+    view.model = &LookUpModel(categories_, detection.category);
+    view.detection = detection;
+  }
+  return views;
+}
+
 std::vector<ObjectInFrame> FramePipeline::Predict(const FrameInput& input, FrameResult& frame) {
   const StageClock clock(frame.times.mapping);
   const UpEstimate up = PredictUp(input, frame.segments);
@@ -142,16 +206,20 @@ std::vector<ObjectInFrame> FramePipeline::Predict(const FrameInput& input, Frame
 
   std::vector<ObjectInFrame> objects;
   std::vector<ObjectView> views;
-  for (const Detection& detection : input.detections) {
+  const std::vector<bool> repeated = FindRepeated(input.detections);
+  for (size_t i = 0; i < input.detections.size(); ++i) {
+    const Detection& detection = input.detections[i];
     const CategoryModel& model = LookUpModel(categories_, detection.category);
     views.push_back(MakeView(detection, frame.segments, frame.up_camera, camera_, model, options_));
     views.back().floor = frame.floor;
+    if (repeated[i]) views.back().model = nullptr;
   }
   std::vector<int> tracks(views.size(), kNoTrack);
   if (input.T_odom_camera) tracks = tracks_.Associate(input.timestamp, views, *input.T_odom_camera);
   for (size_t i = 0; i < views.size(); ++i) {
     ObjectInFrame& object = objects.emplace_back();
     object.view = std::move(views[i]);
+    if (repeated[i]) object.result.estimate.status = EstimateStatus::kRepeated;
     object.track = tracks[i];  // the map wants to know it also where the prior is not used
     if (options_.tracks.enabled && input.T_odom_camera)
       object.view.track_prior = tracks_.Predict(object.track, *input.T_odom_camera, frame.up_camera);
@@ -180,13 +248,14 @@ void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& frame,
   MapFrame added;
   added.timestamp = input.timestamp;
   added.T_odom_camera = *input.T_odom_camera;
+  added.follows_jump = frame.follows_jump;
   added.up_camera = frame.up_camera;
   added.up_sigma = frame.up_sigma;
   for (auto& [view, track, result] : objects) {
     view.track_prior.reset();
     view.occluders.clear();
     added.observations.push_back(
-        {std::move(view), track, std::move(result.measured.estimate), std::move(result.evidence)});
+        {std::move(view), track, false, std::move(result.measured.estimate), std::move(result.evidence)});
   }
   map_.Add(std::move(added), tracks_.Scale());
 }
@@ -199,7 +268,9 @@ std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
     const StageClock clock(maps.solve_ms);
     maps.map = map_.Solve(tracks_.Scale());
   }
-  maps.by_odometry = PlaceByOdometry(map_.frames(), maps.map, options_.mapping);
+  maps.by_odometry = map_.WithAllFrames(PlaceByOdometry(map_.frames(), maps.map, options_.mapping));
+  maps.map = map_.WithAllFrames(maps.map);
+  for (Map* map : {&maps.map, &maps.by_odometry}) MoveBy(map->MeanScale() * *origin_odom_, *map);
   maps.map.models = maps.by_odometry.models = categories_;
   return maps;
 }

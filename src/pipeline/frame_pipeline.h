@@ -15,6 +15,7 @@
 #include "pipeline/options.h"
 #include "tracking/floor_height.h"
 #include "tracking/object_tracks.h"
+#include "tracking/odometry_jumps.h"
 #include "tracking/up_direction.h"
 
 namespace armature {
@@ -75,6 +76,11 @@ class FramePipeline {
   std::optional<FinalMaps> SolveMaps() const;
 
  private:
+  struct PreparedInput : FrameInput {  // positions from the first camera on, jumps taken out
+    bool follows_jump = false, unit_changed = false;
+  };
+  PreparedInput Prepare(const FrameInput& given);
+  std::vector<ObjectView> ViewBoxes(const std::vector<Detection>& detections) const;
   std::vector<ObjectInFrame> Predict(const FrameInput& input, FrameResult& frame);
   void Update(const FrameInput& input, std::vector<ObjectInFrame>& objects);
   void AddToMap(const FrameInput& input, const FrameResult& frame, std::vector<ObjectInFrame> objects);
@@ -90,9 +96,11 @@ class FramePipeline {
   std::unique_ptr<LineDetector> detector_;
   UpEstimator up_estimator_;
   FloorHeight floor_;
+  OdometryJumps jumps_;
   ObjectTracks tracks_;
   ObjectMap map_;
-  double map_milliseconds_ = 0;  // spent on it so far
+  double map_milliseconds_ = 0;                 // spent on it so far
+  std::optional<Eigen::Vector3d> origin_odom_;  // the first camera's position
   std::optional<Eigen::Isometry3d> last_T_odom_camera_;
 };
 

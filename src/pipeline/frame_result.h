@@ -34,7 +34,9 @@ struct FrameResult {
   std::vector<ObjectObservation> observations;  // in the order of the detections
   Eigen::Vector3d up_camera{0, -1, 0};          // unit, camera frame
   double up_sigma = 1;                          // radians, standard deviation; 0: given by the sequence
-  std::optional<FloorPrior> floor;              // what was assumed of the camera's height for this frame
+  bool follows_jump = false;        // the odometry's step to this frame was not believed (odometry_jumps.h)
+  bool unit_changed = false;        // the odometry was found to go on in another unit since shortly before
+  std::optional<FloorPrior> floor;  // what was assumed of the camera's height for this frame
   StageTimes times;
 };
 

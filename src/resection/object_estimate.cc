@@ -15,6 +15,8 @@ std::string_view StatusName(EstimateStatus status) {
       return "diverged";
     case EstimateStatus::kOffTheBox:
       return "off_the_box";
+    case EstimateStatus::kRepeated:
+      return "repeated";
   }
   return "unknown";
 }

@@ -17,9 +17,10 @@ enum class EstimateStatus {
   kBehindCamera,  // part of the object would be behind the camera
   kDiverged,      // the optimisation did not reach a finite, plausible pose
   kOffTheBox,     // the estimate's projection is not where the detection is
+  kRepeated,      // not looked at: the detection repeats another of its frame
 };
 
-// "ok", "too_few_edges", "behind_camera", "diverged", "off_the_box"
+// "ok", "too_few_edges", "behind_camera", "diverged", "off_the_box", "repeated"
 std::string_view StatusName(EstimateStatus status);
 
 struct ObjectEstimate {

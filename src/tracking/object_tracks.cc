@@ -68,7 +68,7 @@ ObjectTracks::Track& ObjectTracks::AddTrack(const CategoryModel& model) {
   track.model = &model;
   const int n = track.unknowns();
   track.normal = Eigen::MatrixXd::Zero(n + 1, n + 1);
-  track.right_side = Eigen::VectorXd::Zero(n + 1);
+  track.right_side = track.of_cameras = Eigen::VectorXd::Zero(n + 1);
   track.state = Eigen::VectorXd::Zero(n);
   track.covariance = Eigen::MatrixXd::Identity(n, n);
   track.by_units = Eigen::VectorXd::Zero(n);
@@ -87,15 +87,15 @@ PoseAndShape ObjectTracks::Expected(const Track& track, const Eigen::Isometry3d&
   expected.T_camera_object.linear() =
       R_camera_odom * HorizontalAxes(up_odom).Rotation(track.state(3), up_odom);
   expected.T_camera_object.translation() =
-      R_camera_odom * (track.state.head<3>() - T_odom_camera.translation()) / units_;
+      R_camera_odom * (track.state.head<3>() - T_odom_camera.translation()) / unit_.units_a_metre();
   expected.coefficients = track.state.tail(track.model->modes());
   return expected;
 }
 
-std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<ObjectView>& views,
-                                         const Eigen::Isometry3d& T_odom_camera) const {
-  std::vector<int> ids(views.size(), kNoTrack);
-  std::vector<std::tuple<double, size_t, size_t>> pairs;  // negative score, view, track
+std::vector<ObjectTracks::Pair> ObjectTracks::PairWithViews(double timestamp,
+                                                            const std::vector<ObjectView>& views,
+                                                            const Eigen::Isometry3d& T_odom_camera) const {
+  std::vector<Pair> all;
   for (size_t t = 0; t < tracks_.size(); ++t) {
     if (timestamp - tracks_[t].last_seen > options_.max_gap || views.empty()) continue;
     const auto expected = ExpectedBox(*views.front().camera, *tracks_[t].model,
@@ -104,17 +104,36 @@ std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<Obj
     for (size_t v = 0; v < views.size(); ++v) {
       if (views[v].model != tracks_[t].model) continue;
       const auto agreement = BoxAgreement(*expected, views[v].detection.box, 0.25);
-      if (agreement) pairs.emplace_back(-*agreement, v, t);
+      if (agreement) all.push_back({*agreement, v, t});
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<bool> taken(tracks_.size(), false);
-  for (const auto& [score, v, t] : pairs) {
-    if (ids[v] != kNoTrack || taken[t]) continue;
-    ids[v] = tracks_[t].id;
-    taken[t] = true;
+  std::sort(all.begin(), all.end(), [](const Pair& a, const Pair& b) {
+    return std::tuple(-a.agreement, a.view, a.track) < std::tuple(-b.agreement, b.view, b.track);
+  });
+  std::vector<bool> has_track(views.size(), false), is_taken(tracks_.size(), false);
+  std::vector<Pair> pairs;
+  for (const Pair& pair : all) {
+    if (has_track[pair.view] || is_taken[pair.track]) continue;
+    has_track[pair.view] = is_taken[pair.track] = true;
+    pairs.push_back(pair);
   }
+  return pairs;
+}
+
+std::vector<int> ObjectTracks::Associate(double timestamp, const std::vector<ObjectView>& views,
+                                         const Eigen::Isometry3d& T_odom_camera) const {
+  std::vector<int> ids(views.size(), kNoTrack);
+  for (const Pair& pair : PairWithViews(timestamp, views, T_odom_camera))
+    ids[pair.view] = tracks_[pair.track].id;
   return ids;
+}
+
+std::optional<double> ObjectTracks::Agreement(double timestamp, const std::vector<ObjectView>& views,
+                                              const Eigen::Isometry3d& T_odom_camera) const {
+  if (tracks_.empty() || views.empty()) return std::nullopt;
+  double sum = 0;
+  for (const Pair& pair : PairWithViews(timestamp, views, T_odom_camera)) sum += pair.agreement;
+  return sum;
 }
 
 std::optional<TrackPrior> ObjectTracks::Predict(int id, const Eigen::Isometry3d& T_odom_camera,
@@ -129,7 +148,7 @@ std::optional<TrackPrior> ObjectTracks::Predict(int id, const Eigen::Isometry3d&
   if (prior.expected.T_camera_object.translation().z() < 0.1) return std::nullopt;
   // Never too sure of it: floors keep a wrong prior correctable.
   const double position_sigma = kLeastRelativeSigma * prior.expected.T_camera_object.translation().norm();
-  Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / units_);
+  Eigen::MatrixXd covariance = InUnit(track.covariance, 1 / unit_.units_a_metre());
   covariance.diagonal().head<3>().array() += position_sigma * position_sigma;
   covariance(3, 3) += std::pow(kLeastYawSigmaDeg * kDegree, 2);
   covariance.diagonal().tail(track.model->modes()).array() += kLeastShapeSigma * kLeastShapeSigma;
@@ -183,26 +202,25 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
   covariance(3, 3) += std::pow(kYawSigmaDeg * kDegree, 2);
   covariance.diagonal().tail(B).array() += kTrackShapeSigma * kTrackShapeSigma;
 
-  covariance = InUnit(covariance, units_);
-
-  // [I, -R t] (z, u) = y
+  // [I, -R t] (z, u) = y; the position's rows are divided by u.
   const double yaw = HorizontalAxes(track.up_odom).ComputeYaw(R * T.linear().col(2));
   const double turned = AzimuthDifference(yaw, track.state(3), track.model->spec.symmetry_order);
   Eigen::VectorXd y(n);
-  y << T_odom_camera.translation(), (known ? track.state(3) + turned : yaw),
+  y << Eigen::Vector3d::Zero(), (known ? track.state(3) + turned : yaw),
       result.measured.estimate.coefficients;
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + 1);
   A.leftCols(n).setIdentity();
   A.block<3, 1>(0, n) = -R * t;
   double weight = 1;
   if (known) {
+    const double units = unit_.units_a_metre();
     Eigen::VectorXd off = track.state - y;
-    off.head<3>() -= units_ * R * t;
-    weight = 1 / (1 + off.dot((track.covariance + covariance).llt().solve(off)) / (2 * n));
+    off.head<3>() -= T_odom_camera.translation() + units * R * t;
+    const Eigen::MatrixXd in_units = InUnit(covariance, units);
+    weight = 1 / (1 + off.dot((track.covariance + in_units).llt().solve(off)) / (2 * n));
+    LearnUnit(track, T_odom_camera, t.norm(), R * ray,
+              (R * ray).dot(in_units.topLeftCorner<3, 3>() * R * ray));
   }
-  if (known)
-    UpdateUnits(track, T_odom_camera, t.norm(), R * ray,
-                (R * ray).dot(covariance.topLeftCorner<3, 3>() * R * ray));
   const Eigen::MatrixXd information = weight * covariance.inverse();
   // The category's shape statistics out of the measurement, inflated as it was; Solve puts them in once.
   Eigen::MatrixXd without_prior = information;
@@ -211,23 +229,23 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
                 std::pow(kTrackShapeSigma, 2));
   track.normal = kFading * track.normal + A.transpose() * without_prior * A;
   track.right_side = kFading * track.right_side + A.transpose() * information * y;
+  track.of_cameras =
+      kFading * track.of_cameras + A.transpose() * information.leftCols<3>() * T_odom_camera.translation();
 }
 
 // log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
 // more of q itself rests on u (share f: all of it without a baseline), the less there is to learn.
-void ObjectTracks::UpdateUnits(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
-                               const Eigen::Vector3d& ray_odom, double variance_along) {
+void ObjectTracks::LearnUnit(const Track& track, const Eigen::Isometry3d& T_odom_camera, double distance,
+                             const Eigen::Vector3d& ray_odom, double variance_along) {
   const Eigen::Vector3d to_object = track.state.head<3>() - T_odom_camera.translation();
   const double expected = to_object.dot(ray_odom);
   if (expected <= 0) return;
-  const double f = std::clamp(track.by_units.head<3>().dot(ray_odom) * units_ / expected, 0.0, 1.0);
+  const double f =
+      std::clamp(track.by_units.head<3>().dot(ray_odom) * unit_.units_a_metre() / expected, 0.0, 1.0);
   const double expected_variance = ray_odom.dot(track.covariance.topLeftCorner<3, 3>() * ray_odom);
   const double variance = (variance_along + expected_variance) / (expected * expected);
-  const double error = std::log(distance) + log_units_ - std::log(expected);  // 0 if u is right
-  const double slope = 1 - f;
-  const double gain_information = slope * slope / (variance * (1 + error * error / (6 * variance)));
-  units_information_ = 0.995 * units_information_ + gain_information;
-  log_units_ -= gain_information / units_information_ * error / std::max(slope, 0.05);
+  const double error = std::log(distance) + unit_.log_units() - std::log(expected);  // 0 if u is right
+  unit_.Learn(error, 1 - f, variance);
 }
 
 void ObjectTracks::UpdateBelief(Track& track, const ObjectView& view, const SingleViewResult& result,
@@ -259,20 +277,31 @@ void ObjectTracks::TurnToBelief(Track& track) const {
   track.state(3) += M_PI;
 }
 
-ScaleEstimate ObjectTracks::Scale() const { return {1 / units_, 1 / std::sqrt(units_information_)}; }
+void ObjectTracks::SolveTrack(Track& track) const {
+  const double u = unit_.units_a_metre();
+  const int n = track.unknowns();
+  Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
+  zz.diagonal().tail(n - 4).array() += 1;  // the category's shape statistics
+  zz.diagonal().head<4>().array() += 1e-6;
+  const Eigen::LLT<Eigen::MatrixXd> factor(zz);
+  const Eigen::VectorXd by_unit = -factor.solve(track.normal.topRightCorner(n, 1));
+  track.state = factor.solve(track.right_side.head(n) + track.of_cameras.head(n) / u) + by_unit;
+  track.state.head<3>() *= u;
+  track.by_units = by_unit / u;
+  track.by_units.head<3>() *= u;
+  track.covariance = InUnit(factor.solve(Eigen::MatrixXd::Identity(n, n)), u);
+}
+
+void ObjectTracks::Follow(double timestamp, const Eigen::Isometry3d& T_odom_camera) {
+  unit_.Follow(timestamp, T_odom_camera);
+  for (Track& track : tracks_) SolveTrack(track);
+}
 
 void ObjectTracks::Solve(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
-  units_ = std::exp(log_units_);
+  unit_.Update();
   for (Track& track : tracks_) {
-    const int n = track.unknowns();
-    Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
-    zz.diagonal().tail(n - 4).array() += 1;  // the category's shape statistics
-    zz.diagonal().head<4>().array() += 1e-6;
-    const Eigen::LLT<Eigen::MatrixXd> factor(zz);
-    track.by_units = -factor.solve(track.normal.topRightCorner(n, 1));
-    track.state = factor.solve(track.right_side.head(n)) + units_ * track.by_units;
-    track.covariance = factor.solve(Eigen::MatrixXd::Identity(n, n));
+    SolveTrack(track);
     TurnToBelief(track);
   }
 }

@@ -117,6 +117,31 @@ void NoteOdometryGaps(const Sequence& sequence) {
   }
 }
 
+// Where the odometry was not believed, by stamps.
+struct Disbelief {
+  std::vector<double> jumps, unit_changes;
+
+  void Add(const FrameResult& frame) {
+    if (frame.follows_jump) jumps.push_back(frame.timestamp);
+    if (frame.unit_changed) unit_changes.push_back(frame.timestamp);
+  }
+};
+
+void NoteDisbelief(const std::string& sequence, const Disbelief& disbelief) {
+  if (!disbelief.jumps.empty()) {
+    Note(fmt::format(
+        "{}: the odometry jumps {} times, first to the image at {:.3f} s; the map does not rely on "
+        "these steps",
+        sequence, disbelief.jumps.size(), disbelief.jumps.front()));
+  }
+  if (!disbelief.unit_changes.empty()) {
+    Note(fmt::format(
+        "{}: the odometry's unit changes {} times, first shortly before {:.3f} s; later steps were "
+        "brought to the unit before it",
+        sequence, disbelief.unit_changes.size(), disbelief.unit_changes.front()));
+  }
+}
+
 // Solves the map and writes it; without odometry there is none, and its files are empty.
 std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& writer) {
   const StepDetail step("the map is solved");
@@ -147,6 +172,7 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
   const size_t count = FrameCount(sequence, settings.frames);
   Progress progress(sequence.name + ": frames", static_cast<long>(count));
   FramePace pace;
+  Disbelief disbelief;
   const Clock::time_point start = Clock::now();
   FrameSource frames(sequence, count, pipeline, settings.pipelined);
   for (size_t i = 0; i < count; ++i) {
@@ -160,11 +186,13 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
     } else {
       const FrameResult frame = ProcessFrame(sequence, i, prepared, pipeline);
       pace.latency_ms.push_back(1000 * SecondsSince(prepared.loaded));
+      disbelief.Add(frame);
       writer.AddFrame(frame);
       overlays.Add(i, *colour.image, frame);
     }
     progress.Step();
   }
+  NoteDisbelief(sequence.name, disbelief);
   pace.frames_per_second = static_cast<double>(count) / SecondsSince(start);
   return pace;
 }
