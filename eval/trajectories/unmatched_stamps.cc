@@ -136,6 +136,15 @@ std::optional<std::string> GuessUnit(const std::vector<TimedPose>& poses,
   return GuessStampUnit(poses.back().timestamp);
 }
 
+// The roundest number that is as good: clocks differ by whole hours, recordings start at whole seconds.
+double RoundedWithin(double seconds, double tolerance) {
+  for (const double step : {1.0, 0.1, 0.01}) {
+    const double rounded = std::round(seconds / step) * step;
+    if (std::abs(rounded - seconds) <= 0.5 * tolerance) return rounded;
+  }
+  return std::round(seconds * 1e3) / 1e3;
+}
+
 std::string Suggest(const std::vector<TimedPose>& estimate, const std::vector<TimedPose>& truth,
                     double tolerance) {
   if (const auto unit = GuessUnit(estimate, truth))
@@ -143,7 +152,7 @@ std::string Suggest(const std::vector<TimedPose>& estimate, const std::vector<Ti
   if (const auto unit = GuessUnit(truth, estimate))
     return fmt::format("is the truth in {}? write seconds", *unit);
   if (const auto offset = FindTimeOffset(estimate, truth)) {
-    const double rounded = std::round(*offset * 1e3) / 1e3;
+    const double rounded = RoundedWithin(*offset, tolerance);
     const size_t matched = PairPoses(Shifted(estimate, rounded), truth, tolerance).size();
     if (matched > 0) {
       return fmt::format("shifted by {:.10g} s? with --time-offset {:.10g} {} of {} poses have a true one",

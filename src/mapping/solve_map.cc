@@ -147,7 +147,7 @@ ObjectOfObservation WithoutUnsureViews(const std::vector<MapFrame>& frames, Obje
   return phi;
 }
 
-std::optional<Eigen::Vector3d> FindFarStart(const std::vector<MapFrame>& frames) {
+std::optional<Eigen::Vector3d> FindFarOdometry(const std::vector<MapFrame>& frames) {
   std::vector<Eigen::Isometry3d> poses;
   poses.reserve(frames.size());
   for (const MapFrame& frame : frames) poses.push_back(frame.T_odom_camera);
@@ -178,7 +178,7 @@ double Map::MeanScale() const {
 
 Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
-  if (const auto start = FindFarStart(frames)) {
+  if (const auto start = FindFarOdometry(frames)) {
     Map map = SolveMap(Moved(frames, -*start), expected_scale, box, resection, options);
     const Eigen::Vector3d by = map.MeanScale() * *start;
     return Moved(std::move(map), by);
@@ -192,7 +192,7 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
-  if (const auto start = FindFarStart(frames)) {
+  if (const auto start = FindFarOdometry(frames)) {
     const Eigen::Vector3d by = map.MeanScale() * *start;
     return Moved(PlaceByOdometry(Moved(frames, -*start), Moved(map, -by), options), by);
   }
