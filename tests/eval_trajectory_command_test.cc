@@ -153,7 +153,7 @@ TEST(EvalTrajectories, WithoutAnyPairFailAndSayWhatMayBeWrong) {
   WriteTumTrajectory(folder / "truth.txt", Curve());
   auto later = Elsewhere(Curve(), 1), nanoseconds = Elsewhere(Curve(), 1);
   for (TimedPose& pose : later) pose.timestamp += 100;
-  for (TimedPose& pose : nanoseconds) pose.timestamp *= 1e9;
+  for (TimedPose& pose : nanoseconds) pose.timestamp = 1e9 * (pose.timestamp + 0.05);
   WriteTumTrajectory(folder / "later.txt", later);
   WriteTumTrajectory(folder / "ns.txt", nanoseconds);
   const auto run = [&](const std::vector<std::string>& more) {
