@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "bench/guard/guarded_spans.h"
 
@@ -60,9 +61,9 @@ std::string Field(const std::optional<double>& milliseconds) {
 std::string RawRow(const BenchSection& section, const BenchRow& row) {
   std::string stages;
   for (const auto& stage : row.outcome.stages_ms) stages += Field(stage) + ",";
-  return fmt::format("{},{},{},{},{},{},{},{}{},{}\n", section.name, section.sequence, row.contender,
-                     row.repetition, row.input, row.outcome.objects, row.outcome.segments, stages,
-                     Field(row.outcome.added_ms), Field(row.total_ms()));
+  return fmt::format("{},{},{},{},{},{},{},{}{},{}\n", CsvField(section.name), CsvField(section.sequence),
+                     CsvField(row.contender), row.repetition, row.input, row.outcome.objects,
+                     row.outcome.segments, stages, Field(row.outcome.added_ms), Field(row.total_ms()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "datasets/cad/cad_instance.h"
 #include "geometry/rotation.h"
@@ -22,7 +23,7 @@ std::string Degrees(const std::optional<double>& radians) {
 
 std::string DetectionRow(const std::string& stamp, const Detection& detection) {
   const Box& box = detection.box;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", stamp, detection.category, Fixed(box.x, 2),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", stamp, CsvField(detection.category), Fixed(box.x, 2),
                      Fixed(box.y, 2), Fixed(box.width, 2), Fixed(box.height, 2), Fixed(detection.score, 2),
                      Degrees(detection.azimuth), Degrees(detection.elevation), Degrees(detection.tilt));
 }
@@ -42,9 +43,10 @@ std::string EdgeRows(const std::string& stamp, const GeneratedObject& object,
   std::string rows;
   for (const TrueEdge& edge : edges) {
     const Segment& line = edge.line;
-    rows += fmt::format("{},{},{},{},{},{},{},{}\n", stamp, object.id, names[static_cast<size_t>(edge.edge)],
-                        Fixed(line.p1.x(), 2), Fixed(line.p1.y(), 2), Fixed(line.p2.x(), 2),
-                        Fixed(line.p2.y(), 2), Fixed(edge.visible, 3));
+    rows += fmt::format("{},{},{},{},{},{},{},{}\n", stamp, CsvField(object.id),
+                        CsvField(names[static_cast<size_t>(edge.edge)]), Fixed(line.p1.x(), 2),
+                        Fixed(line.p1.y(), 2), Fixed(line.p2.x(), 2), Fixed(line.p2.y(), 2),
+                        Fixed(edge.visible, 3));
   }
   return rows;
 }
@@ -105,7 +107,7 @@ void WriteTruth(const fs::path& folder, const GeneratedSequence& sequence) {
     const std::string stamp = Fixed(frame.timestamp, 6);
     cameras += TumLine({.timestamp = frame.timestamp, .pose = frame.T_world_camera}) + "\n";
     for (size_t i = 0; i < frame.detections.size(); ++i)
-      detections += fmt::format("{},{},{}\n", stamp, i, frame.detections[i].id);
+      detections += fmt::format("{},{},{}\n", stamp, i, CsvField(frame.detections[i].id));
     for (size_t i = 0; i < frame.edges.size(); ++i)
       edges += EdgeRows(stamp, sequence.objects[i], frame.edges[i]);
   }

@@ -163,7 +163,7 @@ CommandHelp EvalHelp() {
                 {"OUT/eval.json", "all tables and where they are from"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
                 {"OUT/*.csv", "all raw rows: trajectories, detections, objects and, if asked for, edges"}},
-      .exit_status = {},
+      .exit_status = {{"1", "also: a trajectory has no pose with a true one; the tables are there"}},
       .examples = {
           {"all tables of three runs",
            "armature eval results/reproduce/runs/objects --categories results/reproduce/categories --out "
@@ -204,7 +204,8 @@ int RunEval(EvalArguments arguments) {
   const Evaluation made = MakeTables(arguments, format);
   if (folder) WriteEvaluation(arguments.runs, made, *folder);
   fmt::print("{}", FormatTables(made.tables, format));
-  return 0;
+  for (const std::string& failure : made.failures) PrintError(failure);
+  return made.failures.empty() ? 0 : 1;
 }
 
 void AddEvalCommand(CLI::App& app, int& exit_status) {

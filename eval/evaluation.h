@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,12 @@ namespace armature {
 struct Evaluation {
   std::vector<Table> tables{};
   EvaluationRecords records{};
+  std::vector<std::string> failures{};  // lines: what could not be compared, beside what could
 
   void Append(Evaluation more) {
     std::move(more.tables.begin(), more.tables.end(), std::back_inserter(tables));
     AppendRecords(std::move(more.records), records);
+    std::move(more.failures.begin(), more.failures.end(), std::back_inserter(failures));
   }
 };
 

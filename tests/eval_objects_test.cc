@@ -258,7 +258,8 @@ TEST(EvalObjects, MostDetectionsDecide) {
       {"map_chair0", "map_chair0", "map_chair0", "map_chair1", "map_chair2", "map_chair2", ""});
   EXPECT_EQ(MatchByDetections(map, run, truth), (ObjectPairs{{0, 0}, {1, 1}}));
   EXPECT_TRUE(MatchByDetections(map, RunResults(), truth).empty());
-  EXPECT_TRUE(MatchByDetections({}, run, truth).empty());
+  EXPECT_TRUE(MatchByDetections({}, RunResults(), truth).empty());
+  testing::ExpectInputError([&] { MatchByDetections({}, run, truth); }, {"observations.csv", "'map_chair0'"});
 }
 
 class RunMaps : public ::testing::Test {

@@ -147,6 +147,60 @@ TEST(EvalTrajectories, OfFilesInAnyFormat) {
   }
 }
 
+// Moved in time: rows of dashes alone would be taken for a result.
+TEST(EvalTrajectories, WithoutAnyPairFailAndSayWhatMayBeWrong) {
+  const TempFolder folder;
+  WriteTumTrajectory(folder / "truth.txt", Curve());
+  auto later = Elsewhere(Curve(), 1), nanoseconds = Elsewhere(Curve(), 1);
+  for (TimedPose& pose : later) pose.timestamp += 100;
+  for (TimedPose& pose : nanoseconds) pose.timestamp = 1e9 * (pose.timestamp + 0.05);
+  WriteTumTrajectory(folder / "later.txt", later);
+  WriteTumTrajectory(folder / "ns.txt", nanoseconds);
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"eval", "--groundtruth", folder / "truth.txt", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return testing::RunProgram(arguments);
+  };
+  const auto shifted = run({folder / "later.txt"});
+  EXPECT_EQ(shifted.status, 1);
+  EXPECT_NE(shifted.err.find("armature: later.txt: no pose has a true one within 10 ms"), std::string::npos);
+  EXPECT_NE(shifted.err.find("--time-offset -100 "), std::string::npos) << shifted.err;
+  EXPECT_EQ(json::parse(shifted.out)[0]["rows"][0]["ATE rmse [m]"], nullptr);
+  const auto units = run({folder / "ns.txt", folder / "truth.txt"});
+  EXPECT_EQ(units.status, 1);
+  EXPECT_NE(units.err.find("nanoseconds?"), std::string::npos) << units.err;
+  EXPECT_EQ(json::parse(units.out)[0]["rows"][3]["matched"], 30);
+  const auto offset = run({folder / "later.txt", "--time-offset", "-100"});
+  EXPECT_EQ(offset.status, 0) << offset.err;
+  EXPECT_EQ(json::parse(offset.out)[0]["rows"][0]["matched"], 30);
+  const Desk desk;
+  ExpectBadInput(
+      {"eval", desk.folder / "run", "--groundtruth", desk.folder / "sequence", "--time-offset", "1"},
+      {"--time-offset", "trajectory files"});
+}
+
+TEST(EvalTrajectories, OfKittiFilesOfUnequalLengthAreRefused) {
+  const TempFolder folder;
+  const std::string line = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+  const auto two = folder.Write("two.txt", line + line),
+             three = folder.Write("three.txt", line + line + line);
+  ExpectBadInput({"eval", two, "--groundtruth", three}, {"two.txt: has 2 poses", "three.txt has 3"});
+  EXPECT_EQ(testing::RunProgram({"eval", two, "--groundtruth", two}).status, 0);
+}
+
+TEST(EvalTrajectories, WithRepeatedStampsKeepTheFirstAndSayHowMany) {
+  const TempFolder folder;
+  WriteTumTrajectory(folder / "truth.txt", Curve());
+  auto repeated = Curve();
+  repeated.insert(repeated.begin() + 5, repeated[4]);
+  repeated[5].pose.translation().x() += 1;
+  WriteTumTrajectory(folder / "e.txt", repeated);
+  const auto result = RunOk(
+      {"eval", folder / "e.txt", "--groundtruth", folder / "truth.txt", "--alignment", "none", "--json"});
+  EXPECT_NE(result.err.find("e.txt: 1 of 31 poses"), std::string::npos) << result.err;
+  EXPECT_LT(json::parse(result.out)[0]["rows"][0]["ATE max [m]"], 1e-8);
+}
+
 TEST(EvalTrajectories, BadInput) {
   const Desk desk;
   const std::string run = desk.folder / "run", truth = desk.folder / "sequence";

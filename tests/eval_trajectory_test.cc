@@ -2,9 +2,14 @@
 // Pairing and aligning trajectories.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "eval/trajectories/trajectory_alignment.h"
+#include "geometry/random.h"
 #include "geometry/rotation.h"
 #include "support/expect_input_error.h"
 
@@ -201,6 +206,18 @@ TEST(Alignment, OfStraightMotionFollowsTheCamerasAboutTheLine) {
   EXPECT_GT((on_line.R * step).normalized().dot(Eigen::Vector3d(1, 2, -2) / 3), 1 - 1e-9);
 }
 
+// A unit of a micrometre, or of a kilometre: what is small is not still.
+TEST(Alignment, KnowsTheScaleOfAnyUnit) {
+  for (const double scale : {1e-6, 1e-3, 1e3, 1e6}) {
+    const auto pairs = Moved(CurvePoses(30), Known(scale));
+    for (const auto kind : {AlignmentKind::kSim3, AlignmentKind::kScale, AlignmentKind::kEndPoints}) {
+      const Similarity s = Align(pairs, kind, 0);
+      EXPECT_FALSE(s.is_degenerate);
+      EXPECT_NEAR(s.scale / scale, 1, 1e-9);
+    }
+  }
+}
+
 TEST(Alignment, KnowsItsNames) {
   for (const AlignmentKind kind : kAlignments) EXPECT_EQ(AlignmentFromName(AlignmentName(kind)), kind);
   EXPECT_EQ(AlignmentFromName("end_points"), AlignmentKind::kEndPoints);
@@ -231,6 +248,64 @@ TEST(Pairing, BreaksTiesByTheEarliest) {
   EXPECT_EQ(pairs[0].truth.translation().x(), 2);
   pairs = PairPoses({At(1.25, 1)}, {At(1.25, 2), At(1.25, 3)}, 0.5);  // a repeated stamp
   EXPECT_EQ(pairs.at(0).truth.translation().x(), 2);
+}
+
+// What PairPoses says, pair by pair.
+std::vector<std::pair<double, double>> PairGreedily(const std::vector<TimedPose>& estimate,
+                                                    const std::vector<TimedPose>& truth, double tolerance) {
+  std::vector<bool> estimate_taken(estimate.size()), truth_taken(truth.size());
+  std::vector<std::pair<double, double>> pairs;  // the x of both
+  for (;;) {
+    std::tuple<double, size_t, size_t> best{tolerance + kStampRounding, estimate.size(), truth.size()};
+    for (size_t i = 0; i < estimate.size(); ++i) {
+      for (size_t j = 0; j < truth.size(); ++j) {
+        const double seconds = std::abs(truth[j].timestamp - estimate[i].timestamp);
+        if (!estimate_taken[i] && !truth_taken[j]) best = std::min(best, {seconds, i, j});
+      }
+    }
+    const auto [seconds, i, j] = best;
+    if (i == estimate.size()) break;
+    estimate_taken[i] = truth_taken[j] = true;
+    pairs.emplace_back(estimate[i].pose.translation().x(), truth[j].pose.translation().x());
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// Stamps on a grid of quarters: many are repeated, many distances equal.
+std::vector<TimedPose> RandomStamps(Random& random, int most) {
+  std::vector<TimedPose> poses;
+  const int count = static_cast<int>(random.Uniform(0, most));
+  double stamp = 0;
+  for (int i = 0; i < count; ++i) {
+    stamp += 0.25 * std::floor(random.Uniform(0, 4));
+    poses.push_back(At(stamp, i));
+  }
+  return poses;
+}
+
+TEST(Pairing, IsTheSameAsTakingOneClosestPairAfterTheOther) {
+  Random random(7);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const auto estimate = RandomStamps(random, 9), truth = RandomStamps(random, 9);
+    const double tolerance = std::array{0.0, 0.25, 0.6, 1e9}[static_cast<size_t>(trial % 4)];
+    std::vector<std::pair<double, double>> found;
+    for (const PosePair& pair : PairPoses(estimate, truth, tolerance))
+      found.emplace_back(pair.estimate.translation().x(), pair.truth.translation().x());
+    ASSERT_EQ(found, PairGreedily(estimate, truth, tolerance)) << "trial " << trial;
+  }
+}
+
+// As many candidates as the square of it would not fit the memory.
+TEST(Pairing, OfLongTrajectoriesUnderAnyTolerance) {
+  std::vector<TimedPose> estimate, truth;
+  for (int i = 0; i < 100000; ++i) {
+    estimate.push_back(At(i, i));
+    truth.push_back(At(i + 0.25, i));
+  }
+  const auto pairs = PairPoses(estimate, truth, 1e9);
+  ASSERT_EQ(pairs.size(), estimate.size());
+  for (const PosePair& pair : pairs) ASSERT_EQ(pair.estimate.translation().x(), pair.truth.translation().x());
 }
 
 TEST(Pairing, StopsAtTheTolerance) {

@@ -147,7 +147,20 @@ TEST_F(SequenceTest, ReportsImpossibleCameras) {
   ExpectYamlError("pinhole", "fisheye", {".yaml:4", "'fisheye'", "pinhole"});
 }
 
+TEST_F(SequenceTest, ReportsIntrinsicsThatNoCameraHas) {
+  ExpectYamlError("fx: 60", "fx: 0.94", {".yaml:7", "camera.fx", "pixels"});
+  ExpectYamlError("fy: 61", "fy: 1e9", {".yaml:8", "camera.fy"});
+  ExpectYamlError("fx: 60", "fx: 6", {".yaml:7", "camera.fx", "61"});
+  ExpectYamlError("cx: 31.5", "cx: 500", {".yaml:9", "camera.cx", "outside the image"});
+  ExpectYamlError("cy: 23.5", "cy: -60", {".yaml:10", "camera.cy", "outside the image"});
+  ExpectYamlError("[0.1, 0, 0, 0, 0]", "[1e6, 0, 0, 0, 0]", {".yaml:11", "distortion", "threefold"});
+  ExpectYamlError("[0.1, 0, 0, 0, 0]", "[-1.5, 0, 0, 0, 0]", {".yaml:11", "distortion", "folds"});
+  ExpectYamlError("width: 64", "width: 100000", {".yaml:5", "camera.width", "65535"});
+}
+
 TEST_F(SequenceTest, ReportsOtherBadSettings) {
+  ExpectYamlError("fps: 5", "fps: 1e9", {".yaml:2", "fps"});
+  ExpectYamlError("fps: 5", "fps: 1e-9", {".yaml:2", "fps"});
   ExpectYamlError("name: tiny", "name: ../tiny", {".yaml:1", "'../tiny'"});
   ExpectYamlError("up: [0, -2, 0]", "up: [0, 0, 0]", {".yaml:12", "'up'"});
   ExpectYamlError("up: [0, -2, 0]", "odometry_metric: maybe", {".yaml:12", "true or false"});
@@ -162,7 +175,42 @@ TEST_F(SequenceTest, ReportsBadImageLists) {
   ExpectErrorWith("rgb.txt", "# nothing\n", {"lists no image"});
 }
 
+TEST_F(SequenceTest, ReportsStampsThatAreNoSeconds) {
+  const std::string images[] = {" rgb/0.png\n", " rgb/1.png\n"};
+  const auto list = [&](const std::string& first, const std::string& second) {
+    return first + images[0] + second + images[1];
+  };
+  ExpectErrorWith("rgb.txt", list("1403636580838555648", "1403636581038555648"),
+                  {"rgb.txt:1", "nanoseconds?"});
+  ExpectErrorWith("rgb.txt", list("1403636580838", "1403636581038"), {"rgb.txt:1", "milliseconds?"});
+  ExpectErrorWith("rgb.txt", list("0", "1305031102.2"), {"rgb.txt:2", "41.4 years", "line 1"});
+  // Counted from the first image, only the pace tells.
+  for (const auto& [second, unit] :
+       {std::pair{"200", "milliseconds?"}, {"200000", "microseconds?"}, {"200000000", "nanoseconds?"}})
+    ExpectErrorWith("rgb.txt", list("0", second), {"rgb.txt", "fps", unit});
+}
+
+TEST_F(SequenceTest, TellsOfALongGapOnly) {
+  folder_.Write("odometry.txt", "0.0 0 0 0 0 0 0 1\n");
+  folder_.Write("rgb.txt", "0 rgb/0.png\n0.2 rgb/1.png\n2592000 rgb/0.png\n2592000.2 rgb/1.png\n");
+  folder_.Write("detections.csv", testing::kTinyDetectionsHeader);
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(Load().images.size(), 4u);
+  const std::string told = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(told.find("rgb.txt:3: 30 days after the image before"), std::string::npos) << told;
+}
+
+TEST_F(SequenceTest, KeepsTheFirstOfRepeatedPosesOfOdometry) {
+  folder_.Write("odometry.txt", "0.0 1 0 0 0 0 0 1\n0.0 2 0 0 0 0 0 1\n0.2 3 0 0 0 0 0 1\n");
+  const Sequence sequence = Load();
+  ASSERT_EQ(sequence.odometry.size(), 2u);
+  EXPECT_EQ(sequence.T_odom_camera[0]->translation().x(), 1);
+}
+
 TEST_F(SequenceTest, ReportsBadDetections) {
+  ExpectDetectionError("0.2,chair,5,6,20,30,0.9,,120,", {"csv:2", "elevation_deg 120", "-90..90"});
+  ExpectDetectionError("0.2,chair,5,6,20,30,0.9,1000,,", {"csv:2", "azimuth_deg 1000"});
+  ExpectDetectionError("0.2,chair,5,6,20,30,0.9,,,-400", {"csv:2", "tilt_deg -400"});
   ExpectDetectionError("0.2,chiar,5,6,20,30,0.9,,,", {"csv:2", "'chiar'", "'chair'", "laptop"});
   ExpectDetectionError("0.2,chair,nan,6,20,30,0.9,,,", {"csv:2", "column 'x'", "finite"});
   ExpectDetectionError("0.2,chair,5,6,20,30,0.9,1e999,,", {"csv:2", "azimuth_deg"});
@@ -184,8 +232,9 @@ TEST_F(SequenceTest, ReportsBadOdometry) {
   ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0 2\n", {"odometry.txt:1", "length 2"});
   ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0\n", {"odometry.txt:1", "7 numbers"});
   ExpectErrorWith("odometry.txt", "0 0 0 inf 0 0 0 1\n", {"odometry.txt:1", "finite"});
-  ExpectErrorWith("odometry.txt", "0 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", {"odometry.txt:2", "line 1"});
-  ExpectErrorWith("odometry.txt", "7 0 0 0 0 0 0 1\n", {"odometry.txt:1", "1 ms"});
+  ExpectErrorWith("odometry.txt", "1 0 0 0 0 0 0 1\n0 0 0 0 0 0 0 1\n", {"odometry.txt:2", "line 1"});
+  ExpectErrorWith("odometry.txt", "7 0 0 0 0 0 0 1\n", {"odometry.txt:1", "1 ms", "7 to 7 s", "0 to 0.2 s"});
+  ExpectErrorWith("odometry.txt", "1403636580838555648 0 0 0 0 0 0 1\n", {"odometry.txt:1", "nanoseconds?"});
   ExpectErrorWith("odometry.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n", {"1 poses", "2 stamps"});
   ExpectErrorWith("odometry.txt", "# nothing\n", {"has no pose"});
 }

@@ -44,13 +44,26 @@ TEST(Trajectory, WritesQuaternionsWithPositiveRealPart) {
             "0.000000 0.000000000 0.000000000 0.000000000 0.000000000 -0.983985947 0.000000000 0.178246056");
 }
 
-TEST(Trajectory, KeepsRepeatedStampsOnlyOnRequest) {
+TEST(Trajectory, KeepsTheFirstOfRepeatedStampsAndCountsTheRest) {
   const testing::TempFolder folder;
-  const auto file = folder.Write("t.txt", "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n");
-  EXPECT_EQ(ReadTumTrajectory(file, RepeatedStamps::kKept).size(), 2u);
-  testing::ExpectInputError([&] { ReadTumTrajectory(file); }, {"t.txt:2", "1.000000"});
-  folder.Write("t.txt", "1 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 0 1\n");
-  testing::ExpectInputError([&] { ReadTumTrajectory(file, RepeatedStamps::kKept); }, {"t.txt:2", "line 1"});
+  const auto file =
+      folder.Write("t.txt", "1 4 0 0 0 0 0 1\n1 5 0 0 0 0 0 1\n1 6 0 0 0 0 0 1\n2 7 0 0 0 0 0 1\n");
+  const TrajectoryFile read = ReadTrajectoryFile(file);
+  ASSERT_EQ(read.poses.size(), 2u);
+  EXPECT_EQ(read.poses[0].pose.translation().x(), 4);
+  EXPECT_EQ(read.poses[1].pose.translation().x(), 7);
+  EXPECT_EQ(read.repeated, 2u);
+  EXPECT_NE(DescribeRepeatedStamps(file, read).find("t.txt: 2 of 4 poses"), std::string::npos);
+  EXPECT_EQ(ReadTrajectory(file, {.repeated = RepeatedStamps::kKept}).size(), 4u);
+}
+
+TEST(Trajectory, RejectsStampsOutOfOrder) {
+  const testing::TempFolder folder;
+  const auto file = folder.Write("t.txt", "1 0 0 0 0 0 0 1\n0.5 0 0 0 0 0 0 1\n");
+  for (const auto repeated : {RepeatedStamps::kFirstKept, RepeatedStamps::kKept}) {
+    testing::ExpectInputError([&] { ReadTrajectory(file, {.repeated = repeated}); },
+                              {"t.txt:2", "line 1", "sort"});
+  }
 }
 
 TEST(Trajectory, FindsTheNearestStamp) {
@@ -69,7 +82,8 @@ TEST(Trajectory, FindsTheNearestStamp) {
 TEST(TrajectoryOnRealData, ReadsTheSharedTrajectories) {
   ARMATURE_SHARED_DATA_OR_SKIP(folder, "trajectories");
   EXPECT_EQ(ReadTumTrajectory(folder / "freiburg1_xyz-rgbdslam.txt").size(), 788u);
-  EXPECT_EQ(ReadTumTrajectory(folder / "fr2_desk_groundtruth.txt", RepeatedStamps::kKept).size(), 20957u);
+  EXPECT_EQ(ReadTrajectory(folder / "fr2_desk_groundtruth.txt", {.repeated = RepeatedStamps::kKept}).size(),
+            20957u);
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <numeric>
 #include <stdexcept>
 
+#include "base/interrupt.h"
 #include "io/g2o.h"
 #include "mapping/chordal_initialisation.h"
 #include "mapping/free_poses.h"
@@ -163,6 +166,38 @@ TEST(PoseGraph, StopsWhenTheIterationsRunOut) {
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.iterations, 0);
   EXPECT_EQ(result.final_cost, result.initial_cost);
+}
+
+TEST(PoseGraph, HasTheSameMinimumFarFromTheOrigin) {
+  const PoseGraph near = TorusGraph(4, 8, 0.05);
+  PoseGraph far = near;
+  const Eigen::Vector3d start(5e5, 5.4e6, 200);
+  for (Eigen::Isometry3d& pose : far.poses) pose.pretranslate(start);
+  for (const auto kind : {PoseGraphStart::kOdometry, PoseGraphStart::kChordal}) {
+    const PoseGraphResult a = SolvePoseGraph(near, StartingFrom(kind));
+    const PoseGraphResult b = SolvePoseGraph(far, StartingFrom(kind));
+    EXPECT_EQ(a.iterations, b.iterations);
+    EXPECT_NEAR(a.final_cost, b.final_cost, 1e-6 * a.final_cost);
+    for (size_t i = 0; i < near.poses.size(); ++i)
+      EXPECT_LT((b.poses[i].translation() - a.poses[i].translation() - start).norm(), 1e-6);
+    EXPECT_EQ(b.poses[0].matrix(), far.poses[0].matrix()) << "it is fixed";
+  }
+}
+
+// In a process of its own, as a signal that was noted stays so.
+TEST(PoseGraphDeathTest, EndsAtASignal) {
+  const auto solve = [] {
+    CatchInterrupts();
+    const PoseGraph graph = TorusGraph(10, 20, 0.05);
+    if (std::raise(SIGTERM) != 0) std::_Exit(3);
+    try {
+      SolvePoseGraph(graph, {.tolerance = 0});
+    } catch (const Interrupted&) {
+      std::_Exit(SignalExitStatus(InterruptSignal()));
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(solve(), ::testing::ExitedWithCode(143), "");
 }
 
 TEST(PoseGraph, RefusesGraphsThatDoNotHoldTogether) {

@@ -136,6 +136,42 @@ TEST(SolveMap, ADriftingOdometryIsStraightened) {
   EXPECT_GT(TrajectoryError(placed.T_world_camera, world), 3 * TrajectoryError(map.T_world_camera, world));
 }
 
+// Odometry in UTM coordinates, as of a system with a satellite receiver.
+TEST(SolveMap, IsTheSameFarFromTheOrigin) {
+  MapWorld world;
+  FurnishRoom(world, 40);
+  const std::vector<MapFrame> frames = world.Frames(kNoise);
+  std::vector<MapFrame> far = frames;
+  const Eigen::Vector3d start(5e5, 5.4e6, 200);
+  for (MapFrame& frame : far) frame.T_odom_camera.pretranslate(start);
+  const Map map = Solve(frames, kExpected, {}), other = Solve(far, kExpected, {});
+  EXPECT_NEAR(other.MeanScale() / map.MeanScale(), 1, 1e-6);
+  const auto expect_same = [&](const Map& a, const Map& b) {
+    ASSERT_EQ(a.objects.size(), b.objects.size());
+    const Eigen::Vector3d by = b.MeanScale() * start;
+    for (size_t i = 0; i < a.objects.size(); ++i) {
+      const Eigen::Vector3d moved = a.objects[i].T_world_object.translation() + by;
+      EXPECT_LT((b.objects[i].T_world_object.translation() - moved).norm(), 1e-4) << a.objects[i].id;
+    }
+    for (size_t i = 0; i < a.T_world_camera.size(); ++i)
+      EXPECT_LT((b.T_world_camera[i].translation() - a.T_world_camera[i].translation() - by).norm(), 1e-4);
+  };
+  expect_same(map, other);
+  expect_same(PlaceByOdometry(frames, map, {}), PlaceByOdometry(far, other, {}));
+}
+
+// Knots of the scale are as many as frames ask for, not as the time between two sessions.
+TEST(SolveMap, OfTwoSessionsAMonthApartIsAsLargeAsOfOne) {
+  MapWorld world;
+  FurnishRoom(world, 40);
+  std::vector<MapFrame> frames = world.Frames(kNoise);
+  const Map near = Solve(frames, kExpected, {});
+  for (size_t i = frames.size() / 2; i < frames.size(); ++i) frames[i].timestamp += 30 * 24 * 3600.0;
+  const Map map = Solve(frames, kExpected, {});
+  EXPECT_LT(map.log_scale.size(), near.log_scale.size() + 40);
+  ExpectTrueMap(map, world, 0.04, 1, 0.04);
+}
+
 TEST(SolveMap, TurningInPlaceGivesMetricObjects) {
   MapWorld world;
   FurnishRoom(world, 0);

@@ -32,7 +32,7 @@ fast: {frames: 5, timings: []}
 class ReproduceMatrix : public ::testing::Test {
  protected:
   Matrix Read(const std::string& yaml, bool fast = false) const {
-    return ReadMatrix(folder_.Write("matrix.yaml", yaml), fast);
+    return ReadMatrix(folder_.Write("matrix.yaml", yaml), {.fast = fast});
   }
   // `text` in the small matrix replaced.
   Matrix ReadWith(const std::string& text, const std::string& by) const {
@@ -53,7 +53,7 @@ using Names = std::vector<std::string>;
 
 TEST_F(ReproduceMatrix, TheShippedOneCanBeReadInFullAndFast) {
   const std::string file = std::string(ARMATURE_SOURCE_DIR) + "/configs/reproduce.yaml";
-  const Matrix full = ReadMatrix(file, false), fast = ReadMatrix(file, true);
+  const Matrix full = ReadMatrix(file, {}), fast = ReadMatrix(file, {.fast = true});
   EXPECT_EQ(full.frames, 0);
   EXPECT_GT(fast.frames, 0);
   EXPECT_NE(full.name, fast.name);
@@ -63,7 +63,7 @@ TEST_F(ReproduceMatrix, TheShippedOneCanBeReadInFullAndFast) {
 
 TEST_F(ReproduceMatrix, TheAblationsAreAllVariants) {
   const std::filesystem::path configs = std::filesystem::path(ARMATURE_SOURCE_DIR) / "configs";
-  const Names names = NamesOfVariants(ReadMatrix(configs / "ablations.yaml", false));
+  const Names names = NamesOfVariants(ReadMatrix(configs / "ablations.yaml", {}));
   for (const auto& file : std::filesystem::directory_iterator(configs / "ablations")) {
     const std::string name = file.path().stem().string();
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
@@ -152,6 +152,33 @@ TEST_F(ReproduceMatrix, SequencesOfOnesOwnTakeThePlaceOfAll) {
       {"other/kitchen", "name"});
 }
 
+TEST_F(ReproduceMatrix, OfVariantsAloneIsForSequencesOfOnesOwn) {
+  const auto file = folder_.Write("matrix.yaml", "variants:\n  - {name: a}\n");
+  ExpectInputError([&] { ReadMatrix(file, {}); }, {"matrix.yaml", "nothing to run"});
+  folder_.Write("mine/kitchen/sequence.yaml", "name: kitchen\n");
+  Matrix matrix = ReadMatrix(file, {.has_own_sequences = true});
+  ReplaceSequences({folder_ / "mine/kitchen"}, matrix);
+  EXPECT_EQ(FamilyNames(matrix), Names{"kitchen"});
+  EXPECT_EQ(NamesOfVariants(matrix), Names{"a"});
+}
+
+TEST_F(ReproduceMatrix, SequencesMayEndWithASlash) {
+  const Matrix matrix = ReadWith("scenes: [seq1, seq2]", "scenes: [seq1, seq2]\nsequences: [own/kitchen/]");
+  EXPECT_EQ(FamilyNames(matrix), (Names{"seq1", "seq2", "kitchen"}));
+}
+
+// Results are found by the name in sequence.yaml, runs by the folder's.
+TEST_F(ReproduceMatrix, TwoSequencesOfOneNameAreRefused) {
+  const std::string yaml =
+      "name: tiny\nfps: 5\ncamera: {width: 64, height: 48, fx: 60, fy: 60, cx: 31.5, cy: 23.5}\n";
+  for (const std::string name : {"a", "b"}) folder_.Write(name + "/sequence.yaml", yaml);
+  Matrix matrix = Read(kSmall);
+  ReplaceSequences({folder_ / "a", folder_ / "b"}, matrix);
+  ExpectInputError([&] { CheckNamesDiffer(matrix); }, {"/b: is called 'tiny'", "/a"});
+  folder_.Write("b/sequence.yaml", "name: other" + yaml.substr(yaml.find('\n')));
+  CheckNamesDiffer(matrix);
+}
+
 TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {
   ExpectInputError([&] { ReadWith("scenes:", "scene:"); }, {"matrix.yaml:3", "scenes"});
   ExpectInputError([&] { ReadWith("paper, preset", "objects, preset"); }, {"matrix.yaml", "'objects' twice"});
@@ -165,7 +192,7 @@ TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {
   ExpectInputError([&] { ReadWith("data: generated", "frames: -1"); }, {"frames"});
   ExpectInputError([&] { ReadWith("data: generated\n", ""); }, {"data", "folder"});
   ExpectInputError([&] { ReadWith("scenes: [seq1, seq2]", "scenes: []"); }, {"nothing to run"});
-  ExpectInputError([&] { ReadMatrix(folder_ / "absent.yaml", false); }, {"absent.yaml"});
+  ExpectInputError([&] { ReadMatrix(folder_ / "absent.yaml", {}); }, {"absent.yaml"});
 }
 
 }  // namespace

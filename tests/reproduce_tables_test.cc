@@ -3,6 +3,7 @@
 
 #include "app/reproduce/matrix_tables.h"
 #include "support/expect_input_error.h"
+#include "support/temp_folder.h"
 
 namespace armature {
 namespace {
@@ -85,6 +86,21 @@ TEST(ReproduceTables, AnEvaluationWithoutARunThatSucceededIsAnError) {
   evaluation.records.runs.front().folder = "runs/objects/seq7";
   testing::ExpectInputError([&] { MatrixTable(SmallMatrix(), kSmallJobs, &evaluation); },
                             {"records.json", "runs/objects/seq1"});
+}
+
+TEST(ReproduceTables, AnEvaluationWithoutRecordsOfWhatHasTruthIsAnError) {
+  const testing::TempFolder data;
+  data.Write("seq1/groundtruth.txt", "");
+  data.Write("seq1/objects_gt.csv", "");
+  Matrix matrix = SmallMatrix();
+  matrix.data = data.path();
+  MatrixEvaluation evaluation = SmallEvaluation();
+  MatrixTable(matrix, kSmallJobs, &evaluation);
+  for (ObjectRecord& objects : evaluation.records.objects) objects.sequence = "seq7";
+  testing::ExpectInputError([&] { MatrixTable(matrix, kSmallJobs, &evaluation); },
+                            {"records.json", "no objects of run 'objects' of sequence 'seq1'"});
+  evaluation.records.trajectories.clear();
+  testing::ExpectInputError([&] { MatrixTable(matrix, kSmallJobs, &evaluation); }, {"no cameras"});
 }
 
 TEST(ReproduceTables, DrawsHaveMeanAndSpread) {

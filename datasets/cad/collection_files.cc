@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "base/csv_fields.h"
 #include "base/interrupt.h"
 #include "base/number_format.h"
 #include "io/ply_text.h"
@@ -30,16 +31,17 @@ std::string MeshName(const CadInstance& instance) {
 }
 
 std::string InstanceRow(const CadInstance& instance) {
-  return fmt::format("{},{},{},{},{},{},{}\n", instance.id, instance.category, instance.held_out ? 1 : 0,
-                     Fixed(instance.size.x(), kDigits), Fixed(instance.size.y(), kDigits),
-                     Fixed(instance.size.z(), kDigits), MeshName(instance));
+  return fmt::format("{},{},{},{},{},{},{}\n", CsvField(instance.id), CsvField(instance.category),
+                     instance.held_out ? 1 : 0, Fixed(instance.size.x(), kDigits),
+                     Fixed(instance.size.y(), kDigits), Fixed(instance.size.z(), kDigits),
+                     MeshName(instance));
 }
 
 std::string EdgeRows(const CadInstance& instance) {
   const std::vector<std::string> names = EdgeNames(instance.category);
   std::string rows;
   for (int edge = 0; edge < instance.wireframe.edges(); ++edge) {
-    rows += fmt::format("{},{}", instance.id, names[static_cast<size_t>(edge)]);
+    rows += fmt::format("{},{}", CsvField(instance.id), CsvField(names[static_cast<size_t>(edge)]));
     for (const int end : {0, 1}) {
       for (const double coordinate : instance.wireframe.End(edge, end)) {
         rows += ',' + Fixed(coordinate, kDigits);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 
 namespace armature {
@@ -77,9 +78,9 @@ std::vector<std::string> Notes(const std::vector<NamedEvaluation>& runs) {
 }
 
 std::string RawRow(const std::string& start, const JudgedMatch& match) {
-  return fmt::format("{},{},{},{},{},{},{}\n", start, match.edge, match.true_edge, match.on_edge ? 1 : 0,
-                     match.near_edge ? 1 : 0, match.distance ? Fixed(*match.distance, 3) : "",
-                     Fixed(match.length, 3));
+  return fmt::format("{},{},{},{},{},{},{}\n", start, CsvField(match.edge), CsvField(match.true_edge),
+                     match.on_edge ? 1 : 0, match.near_edge ? 1 : 0,
+                     match.distance ? Fixed(*match.distance, 3) : "", Fixed(match.length, 3));
 }
 
 }  // namespace
@@ -111,8 +112,9 @@ std::string RawEdgesCsv(const std::vector<NamedEvaluation>& runs) {
       "run,sequence,timestamp,index,object,category,edge,true_edge,right,near,distance_px,length_px\n";
   for (const NamedEvaluation& run : runs) {
     for (const EvaluatedDetection& d : run.evaluation.detections) {
-      const std::string start = fmt::format("{},{},{},{},{},{}", run.run, run.evaluation.sequence,
-                                            Fixed(d.timestamp, 6), d.index, d.object, d.category);
+      const std::string start =
+          fmt::format("{},{},{},{},{},{}", CsvField(run.run), CsvField(run.evaluation.sequence),
+                      Fixed(d.timestamp, 6), d.index, CsvField(d.object), CsvField(d.category));
       for (const JudgedMatch& match : d.judged) text += RawRow(start, match);
     }
   }

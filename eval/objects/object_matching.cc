@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/objects/object_matching.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "geometry/assignment.h"
 
 namespace armature {
@@ -32,6 +36,12 @@ Eigen::MatrixXi CountObservations(const std::vector<PlacedObject>& map, const Ru
   for (size_t j = 0; j < map.size(); ++j) positions[map[j].id] = j;
   for (const auto& [key, observation] : run.observations) {
     const auto found = positions.find(observation.object);
+    if (found == positions.end() && !observation.object.empty()) {
+      throw InputError(
+          fmt::format("{}: an observation is of object {}, which the map has not; the files are of two "
+                      "runs, run it again",
+                      (run.folder / "observations.csv").string(), Quoted(observation.object)));
+    }
     const TrueObject* object = truth.FindObject(observation.timestamp, observation.index);
     if (found == positions.end() || !object || object->category != map[found->second].category) continue;
     ++counts(object - truth.objects.data(), static_cast<Eigen::Index>(found->second));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 
 namespace armature {
@@ -83,17 +84,19 @@ std::string ErrorFields(const ObjectError& e) {
 std::string RawStart(const SequenceObjects& sequence, const NamedObjects& run, const EvaluatedMap& map) {
   const RunConfiguration& c = run.objects.configuration;
   const std::string loop_closure = c.loop_closure ? fmt::format("{}", *c.loop_closure) : "";
-  return fmt::format("{},{},{},{},{},{},{}", run.run, sequence.sequence, c.normal_term.value_or(""),
-                     loop_closure, map.is_by_odometry() ? "odometry" : "objects",
-                     AlignmentName(sequence.options.alignment), Fixed(map.T_truth_run.scale, 9));
+  return fmt::format("{},{},{},{},{},{},{}", CsvField(run.run), CsvField(sequence.sequence),
+                     CsvField(c.normal_term.value_or("")), loop_closure,
+                     map.is_by_odometry() ? "odometry" : "objects", AlignmentName(sequence.options.alignment),
+                     Fixed(map.T_truth_run.scale, 9));
 }
 
 std::string RawRows(const std::string& start, const std::string& matching,
                     const std::vector<EvaluatedObject>& objects) {
   std::string text;
   for (const EvaluatedObject& o : objects) {
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", start, matching, StatusName(o.status), o.true_id,
-                        o.category, o.map_id, o.map_id.empty() ? "" : fmt::format("{}", o.observations),
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", start, matching, StatusName(o.status),
+                        CsvField(o.true_id), CsvField(o.category), CsvField(o.map_id),
+                        o.map_id.empty() ? "" : fmt::format("{}", o.observations),
                         o.error ? ErrorFields(*o.error) : ",,,,,,,,");
   }
   return text;

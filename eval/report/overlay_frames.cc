@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/interrupt.h"
 #include "category/category_lookup.h"
 #include "drawing/overlay.h"
 #include "eval/report/encoded_picture.h"
@@ -115,6 +116,7 @@ std::vector<OverlayFrame> MakeOverlayFrames(const SequenceRuns& sequence,
   const Sequence& images = *sequence.images;
   const LoadedRun& run = sequence.runs.front();
   for (const size_t image : PickRichestParts(FoundInImages(run, images), kOverlays)) {
+    ThrowIfInterrupted();
     const ImageResult colour = ReadImage(images.images[image].file, images.camera);
     if (!colour.image) {
       remarks.push_back(fmt::format("{}: a frame is not shown: {}", sequence.name, colour.error));

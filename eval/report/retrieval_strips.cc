@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/errors.h"
+#include "base/interrupt.h"
 #include "drawing/model_picture.h"
 #include "eval/report/encoded_picture.h"
 #include "eval/report/retrieved_models.h"
@@ -133,6 +134,7 @@ std::vector<RetrievalStrip> MakeRetrievalStrips(const SequenceRuns& sequence, co
   const auto retrieved = ReadRetrieval(run.results.folder);
   const auto true_objects = TrueObjects(sequence, *run.map);
   for (const PlacedObject& object : run.map->objects) {
+    ThrowIfInterrupted();
     const auto models = retrieved.find(object.id);
     if (models == retrieved.end()) continue;
     RetrievalStrip& strip =

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "base/text.h"
 #include "io/csv.h"
 #include "io/mesh_file.h"
 
@@ -41,7 +42,11 @@ std::optional<TriangleMesh> LoadModelSurface(const InstanceLibrary& library, con
                                              const std::string& name) {
   const CategoryInstances* instances = library.Of(category);
   const int instance = instances == nullptr ? -1 : instances->Find(name);
-  if (instance < 0) return std::nullopt;
+  if (instance < 0 && library.categories.empty()) return std::nullopt;
+  if (instance < 0) {
+    throw InputError(fmt::format("the library has no {} {}; give the one that the run was retrieved with",
+                                 category, Quoted(name)));
+  }
   const std::string& geometry = instances->geometries[static_cast<size_t>(instance)];
   if (geometry.empty()) return std::nullopt;
   return Moved(instances->MakeTransform(instance), ReadGeometry(library.root / geometry));

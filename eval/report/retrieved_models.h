@@ -26,8 +26,8 @@ struct RetrievedModel {
 // By the object's id, nearest first; without the file nothing. Throws InputError: malformed.
 std::map<std::string, std::vector<RetrievedModel>> ReadRetrieval(const std::filesystem::path& run);
 
-// The model's surface in its centred object frame, metres. None: the library does not have the model, or no
-// surface of it. Throws InputError: a surface that is missing or malformed.
+// The model's surface in its centred object frame, metres. None: there is no library, or it has no surface of
+// the model. Throws InputError: the library has not the model, a surface that is missing or malformed.
 std::optional<TriangleMesh> LoadModelSurface(const InstanceLibrary& library, const std::string& category,
                                              const std::string& name);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/interrupt.h"
 #include "category/category_lookup.h"
 #include "io/shape_evidence_csv.h"
 
@@ -118,6 +119,7 @@ std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::ve
   const std::vector<CategorySpec> specs = CollectSpecs(sources.models);
   std::vector<SequenceRuns> sequences;
   for (const ReportSources::Run& source : sources.runs) {
+    ThrowIfInterrupted();
     LoadedRun run = LoadSourceRun(source, sources);
     const std::string& name = run.results.sequence;
     auto found = std::find_if(sequences.begin(), sequences.end(),

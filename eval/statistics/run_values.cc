@@ -5,9 +5,11 @@
 
 #include <cmath>
 
+#include "base/errors.h"
 #include "base/microseconds.h"
 #include "category/category_lookup.h"
 #include "eval/trajectories/trajectory_metrics.h"
+#include "eval/trajectories/unmatched_stamps.h"
 #include "io/csv.h"
 
 namespace armature {
@@ -26,9 +28,14 @@ NamedValues CameraErrors(const fs::path& run, const std::vector<TimedPose>& trut
   // A run without odometry has a trajectory without poses.
   const fs::path file = run / "trajectory.txt";
   if (ReadTextLines(file).empty()) return errors;
+  const std::vector<TimedPose> estimate = ReadTumTrajectory(file);
   const TrajectoryEvaluation evaluation = EvaluateTrajectory(
-      ReadTumTrajectory(file), truth,
+      estimate, truth,
       {.alignment = options.alignment, .first_n = options.first_n, .tolerance = options.tolerance});
+  if (evaluation.poses.empty()) {
+    throw InputError(
+        fmt::format("{}: {}", file.string(), ExplainUnmatched(estimate, truth, options.tolerance)));
+  }
   for (const PoseError& pose : evaluation.poses)
     errors.values[{"", Microseconds(pose.timestamp)}] = pose.position;
   return errors;

@@ -20,6 +20,7 @@ struct TrajectoryArguments {
   std::string format = "auto";   // of files
   std::filesystem::path stamps;  // of files in the KITTI format; empty: none
   double fps = 1;                // of files in the KITTI format without stamps
+  double time_offset = 0;        // seconds added to the stamps of files
   std::filesystem::path raw;     // file of all rows; empty: none
 };
 
@@ -27,11 +28,12 @@ void AddTrajectoryArguments(CLI::App& command, TrajectoryArguments& arguments);
 
 // One table a sequence: trajectory.txt and odometry_scaled.txt of every run against groundtruth.txt. Throws
 // InputError: a run has no trajectory, a sequence no truth of it, a file is malformed, an argument is bad.
+// `failures` are of trajectories without a true pose at any stamp.
 Evaluation MakeRunTrajectoryTables(const std::vector<RunToEvaluate>& runs,
                                    const TrajectoryArguments& arguments, TableFormat format);
 
 // One table of all files against one truth: a trajectory file or a sequence folder. Throws InputError as
-// above.
+// above, and where KITTI files without stamps are not of equal length.
 Evaluation MakeFileTrajectoryTables(const std::vector<std::filesystem::path>& files,
                                     const std::vector<std::filesystem::path>& truth,
                                     const TrajectoryArguments& arguments, TableFormat format);

@@ -6,7 +6,6 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
@@ -15,9 +14,11 @@
 namespace armature {
 namespace {
 
-// Below these a trajectory does not move, or moves along a line only: what is left is rounding of the files.
-constexpr double kStill = 1e-6;  // of 1 m, or of the distance from the origin where that is more
-constexpr double kLine = 1e-10;  // second over first singular value: 1e-5 of the length across
+// Below these a trajectory does not move, or moves along a line only: what is left is rounding, of the files
+// (their 9 digits behind the point) and of doubles far from the origin, as in UTM coordinates.
+constexpr double kStill = 1e-8;      // units of the trajectory
+constexpr double kRounding = 1e-14;  // of the distance from the origin
+constexpr double kLine = 1e-10;      // second over first singular value: 1e-5 of the length across
 
 // First and second moments of the pairs' positions and rotations.
 struct Moments {
@@ -45,8 +46,9 @@ Moments ComputeMoments(const std::vector<PosePair>& pairs) {
   return m;
 }
 
-bool StaysInPlace(double variance, const Eigen::Vector3d& mean) {
-  return std::sqrt(variance) <= kStill * std::max(1.0, mean.norm());
+// `spread`: how far its positions are apart; `place`: one of them.
+bool StaysInPlace(double spread, const Eigen::Vector3d& place) {
+  return spread <= std::max(kStill, kRounding * place.norm());
 }
 
 // diag(1, 1, +-1) that makes U * signs * V^T a rotation and not a reflection.
@@ -82,8 +84,8 @@ Similarity LeastSquares(const std::vector<PosePair>& pairs, bool with_scale) {
   const Moments m = ComputeMoments(pairs);
   const auto svd = Decomposed(m.covariance);
   const Eigen::Vector3d& singular = svd.singularValues();
-  const bool is_still = StaysInPlace(m.variance_estimate, m.mean_estimate) ||
-                        StaysInPlace(m.variance_truth, m.mean_truth) || singular[0] <= 0;
+  const bool is_still = StaysInPlace(std::sqrt(m.variance_estimate), m.mean_estimate) ||
+                        StaysInPlace(std::sqrt(m.variance_truth), m.mean_truth) || singular[0] <= 0;
   Similarity s;
   s.is_degenerate = is_still || singular[1] <= kLine * singular[0];
   if (is_still) {
@@ -110,11 +112,9 @@ Similarity EndPoints(const std::vector<PosePair>& pairs) {
   const auto distance = [&](Eigen::Isometry3d PosePair::*pose) {
     return ((pairs.back().*pose).translation() - (pairs.front().*pose).translation()).norm();
   };
-  const auto reach = [&](Eigen::Isometry3d PosePair::*pose) {
-    return kStill * std::max(1.0, (pairs.front().*pose).translation().norm());
-  };
   const double estimate = distance(&PosePair::estimate), truth = distance(&PosePair::truth);
-  const bool is_closed = estimate <= reach(&PosePair::estimate) || truth <= reach(&PosePair::truth);
+  const bool is_closed = StaysInPlace(estimate, pairs.front().estimate.translation()) ||
+                         StaysInPlace(truth, pairs.front().truth.translation());
   Similarity s = FirstPose(pairs.front(), is_closed ? 1 : truth / estimate);
   s.is_degenerate = is_closed;
   return s;
@@ -130,29 +130,6 @@ Similarity ScaleOnly(const std::vector<PosePair>& pairs) {
 std::vector<PosePair> FirstPairs(const std::vector<PosePair>& pairs, int count) {
   const size_t kept = std::min(pairs.size(), static_cast<size_t>(std::max(count, 1)));
   return {pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(kept)};
-}
-
-// Positions in the two trajectories, and how far apart in time.
-struct Candidate {
-  double seconds;
-  size_t estimate, truth;
-  auto Order() const { return std::tie(seconds, estimate, truth); }
-};
-
-std::vector<Candidate> CandidatesWithin(const std::vector<TimedPose>& estimate,
-                                        const std::vector<TimedPose>& truth, double tolerance) {
-  std::vector<Candidate> candidates;
-  size_t begin = 0;
-  for (size_t i = 0; i < estimate.size(); ++i) {
-    const double stamp = estimate[i].timestamp;
-    while (begin < truth.size() && truth[begin].timestamp < stamp - tolerance) ++begin;
-    for (size_t j = begin; j < truth.size() && truth[j].timestamp <= stamp + tolerance; ++j) {
-      candidates.push_back({std::abs(truth[j].timestamp - stamp), i, j});
-    }
-  }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.Order() < b.Order(); });
-  return candidates;
 }
 
 }  // namespace
@@ -181,25 +158,6 @@ Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int fir
     default:
       return LeastSquares(pairs, false);
   }
-}
-
-std::vector<PosePair> PairPoses(const std::vector<TimedPose>& estimate, const std::vector<TimedPose>& truth,
-                                double tolerance_seconds) {
-  std::vector<bool> estimate_taken(estimate.size(), false), truth_taken(truth.size(), false);
-  std::vector<Candidate> chosen;
-  for (const Candidate& c : CandidatesWithin(estimate, truth, tolerance_seconds + kStampRounding)) {
-    if (estimate_taken[c.estimate] || truth_taken[c.truth]) continue;
-    estimate_taken[c.estimate] = truth_taken[c.truth] = true;
-    chosen.push_back(c);
-  }
-  std::sort(chosen.begin(), chosen.end(),
-            [](const Candidate& a, const Candidate& b) { return a.estimate < b.estimate; });
-  std::vector<PosePair> pairs;
-  pairs.reserve(chosen.size());
-  for (const Candidate& c : chosen) {
-    pairs.push_back({estimate[c.estimate].timestamp, estimate[c.estimate].pose, truth[c.truth].pose});
-  }
-  return pairs;
 }
 
 }  // namespace armature

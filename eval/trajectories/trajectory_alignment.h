@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "eval/trajectories/pose_pairs.h"
 #include "io/evaluation_records.h"
-#include "io/trajectory.h"
 
 namespace armature {
 
@@ -24,12 +24,6 @@ struct Similarity {
   Eigen::Isometry3d Apply(const Eigen::Isometry3d& T_world_x) const;
 };
 
-struct PosePair {
-  double timestamp = 0;                                        // seconds, the estimate's
-  Eigen::Isometry3d estimate = Eigen::Isometry3d::Identity();  // T_world_camera, estimated world and unit
-  Eigen::Isometry3d truth = Eigen::Isometry3d::Identity();     // T_world_camera, metres
-};
-
 // Pairs by growing stamps. `first_n`: of kFirstN alone, at least 1; more than there are means all. Always
 // finite; where the pairs leave something open, is_degenerate is set and
 //   no pair: the identity;
@@ -40,11 +34,5 @@ struct PosePair {
 //     rotations nearest to the true ones;
 //   end_points, and the first and last position of one of the trajectories are equal: scale 1.
 Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int first_n);
-
-// Poses of both at most the tolerance apart in time, each in one pair at most: the closest pair first, then
-// the closest of what is left, of equally close ones the earliest. By growing stamps of the estimate. Both by
-// growing stamps, repeated ones allowed.
-std::vector<PosePair> PairPoses(const std::vector<TimedPose>& estimate, const std::vector<TimedPose>& truth,
-                                double tolerance_seconds);
 
 }  // namespace armature

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "geometry/rotation.h"
 
@@ -53,11 +54,6 @@ std::vector<Cell> MakeRow(const TrajectoryRecord& r, int digits) {
   return row;
 }
 
-std::string FormatName(const NamedTrajectory& named) {
-  const std::string trajectory = TrajectoryText(named.trajectory);
-  return trajectory.empty() ? named.run : fmt::format("{}, {}", named.run, trajectory);
-}
-
 // What a reader has to know of single rows.
 std::vector<std::string> Warnings(const std::vector<NamedTrajectory>& trajectories) {
   std::vector<std::string> warnings;
@@ -65,14 +61,13 @@ std::vector<std::string> Warnings(const std::vector<NamedTrajectory>& trajectori
   for (const NamedTrajectory& named : trajectories) {
     const TrajectoryEvaluation& e = named.evaluation;
     if (e.poses.empty()) {
-      if (e.estimated == 0 || !unmatched.insert(FormatName(named)).second) continue;
-      warnings.push_back(fmt::format("{}: no pose has a true one within {:g} ms; compare the stamps.",
-                                     FormatName(named), 1e3 * e.options.tolerance));
+      if (!named.IsUnmatched() || !unmatched.insert(TrajectoryLabel(named)).second) continue;
+      warnings.push_back(fmt::format("{}: {}.", TrajectoryLabel(named), named.why_unmatched));
     } else if (e.alignment.is_degenerate) {
       warnings.push_back(
           fmt::format("{}: the positions do not determine {}: the cameras' rotations decide what they leave "
                       "open, a scale that they do not tell is 1.",
-                      FormatName(named), AlignmentName(e.options.alignment)));
+                      TrajectoryLabel(named), AlignmentName(e.options.alignment)));
     }
   }
   return warnings;
@@ -104,6 +99,11 @@ std::vector<std::string> Notes(const std::vector<NamedTrajectory>& trajectories)
 }
 
 }  // namespace
+
+std::string TrajectoryLabel(const NamedTrajectory& named) {
+  const std::string trajectory = TrajectoryText(named.trajectory);
+  return trajectory.empty() ? named.run : fmt::format("{}, {}", named.run, trajectory);
+}
 
 TrajectoryRecord MakeTrajectoryRecord(const std::string& sequence, const NamedTrajectory& named) {
   const TrajectoryEvaluation& e = named.evaluation;
@@ -158,7 +158,7 @@ std::string RawTrajectoryRows(const std::string& sequence, const NamedTrajectory
   auto relative = e.relative.begin();
   for (size_t i = 0; i < e.poses.size(); ++i) {
     const PoseError& pose = e.poses[i];
-    rows += fmt::format("{},{},{},{},{},{},{},{}", trajectory.run, sequence,
+    rows += fmt::format("{},{},{},{},{},{},{},{}", CsvField(trajectory.run), CsvField(sequence),
                         TrajectoryText(trajectory.trajectory), AlignmentName(e.options.alignment),
                         Fixed(e.alignment.scale, 12), Fixed(pose.timestamp, 6), Fixed(pose.position, 9),
                         Fixed(pose.rotation_deg, 6));

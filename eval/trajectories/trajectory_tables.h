@@ -14,7 +14,13 @@ struct NamedTrajectory {
   std::string run;  // as shown
   TrajectoryKind trajectory = TrajectoryKind::kFile;
   TrajectoryEvaluation evaluation;
+  std::string why_unmatched{};  // one line, where it has poses and none has a true one
+
+  bool IsUnmatched() const { return evaluation.estimated > 0 && evaluation.poses.empty(); }
 };
+
+// "run, trajectory"; of a file its name alone.
+std::string TrajectoryLabel(const NamedTrajectory& trajectory);
 
 TrajectoryRecord MakeTrajectoryRecord(const std::string& sequence, const NamedTrajectory& trajectory);
 

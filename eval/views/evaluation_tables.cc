@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 
 namespace armature {
@@ -147,8 +148,9 @@ Table MakeTable(const std::string& sequence, const std::vector<NamedEvaluation>&
 }
 
 std::string RawRow(const std::string& run, const std::string& sequence, const EvaluatedDetection& d) {
-  std::string row = fmt::format("{},{},{},{},{},{},{}", run, sequence, Fixed(d.timestamp, 6), d.index,
-                                d.object, d.category, d.status);
+  std::string row =
+      fmt::format("{},{},{},{},{},{},{}", CsvField(run), CsvField(sequence), Fixed(d.timestamp, 6), d.index,
+                  CsvField(d.object), CsvField(d.category), CsvField(d.status));
   row += d.error ? fmt::format(",{},{},{},{},{},{}", Fixed(d.error->azimuth_deg, 4),
                                Fixed(d.error->translation_percent, 4), Fixed(d.error->distance_percent, 4),
                                Fixed(d.error->elevation_axis_deg, 4), Fixed(d.error->pitch_deg, 4),

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
+#include <functional>
+#include <mutex>
+#include <set>
 
 namespace armature {
 namespace {
@@ -32,6 +35,13 @@ Verbosity GetVerbosity() { return program_verbosity; }
 
 void Note(std::string_view line) {
   if (program_verbosity >= Verbosity::kNormal) PrintLine(line);
+}
+
+void NoteOnce(std::string_view kind, std::string_view line) {
+  static std::mutex mutex;
+  static std::set<std::string, std::less<>> told;
+  const std::lock_guard lock(mutex);
+  if (told.emplace(kind).second) Note(line);
 }
 
 void Detail(std::string_view line) {

@@ -21,6 +21,10 @@ Verbosity GetVerbosity();
 // "armature: LINE": what the user would otherwise wonder at.
 void Note(std::string_view line);
 
+// The same for the first line of each kind only: what is so of a thousand files is told of one. From any
+// thread.
+void NoteOnce(std::string_view kind, std::string_view line);
+
 // "armature: LINE": what is read, where settings come from, how long steps take; for --verbose.
 void Detail(std::string_view line);
 

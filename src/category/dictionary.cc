@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/interrupt.h"
+
 namespace armature {
 namespace {
 
@@ -49,6 +51,7 @@ Candidate BestAddition(const Eigen::MatrixXd& distances, const Eigen::VectorXd& 
 bool Swap(const Eigen::MatrixXd& distances, MedoidsResult& result) {
   bool changed = false;
   for (size_t m = 0; m < result.medoids.size(); ++m) {
+    ThrowIfInterrupted();
     const Candidate best =
         BestAddition(distances, NearestDistances(distances, result.medoids, static_cast<int>(m)));
     if (best.cost >= result.cost * (1 - kSmallestGain)) continue;
@@ -86,6 +89,7 @@ MedoidsResult KMedoids(const Eigen::MatrixXd& points, int k) {
   const Eigen::Index count = std::min<Eigen::Index>(k, points.cols());
   MedoidsResult result;
   while (static_cast<Eigen::Index>(result.medoids.size()) < count) {  // BUILD
+    ThrowIfInterrupted();
     const Candidate best = BestAddition(distances, NearestDistances(distances, result.medoids, -1));
     result.medoids.push_back(best.point);
     result.cost = best.cost;

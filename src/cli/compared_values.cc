@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/csv_fields.h"
+
 namespace armature {
 namespace {
 
@@ -75,8 +77,9 @@ std::string RawPairRows(const std::string& result, const std::string& sequence,
     for (const auto& [key, pair] : values.pairs) {
       const std::string stamp =
           key.microseconds ? fmt::format("{:.6f}", static_cast<double>(*key.microseconds) / 1e6) : "";
-      rows += fmt::format("{},{},{},{},{},{},{:.9g},{:.9g},{:.9g}\n", result, sequence, values.name,
-                          key.series, stamp, key.index, pair.a, pair.b, pair.b - pair.a);
+      rows += fmt::format("{},{},{},{},{},{},{:.9g},{:.9g},{:.9g}\n", CsvField(result), CsvField(sequence),
+                          CsvField(values.name), CsvField(key.series), stamp, key.index, pair.a, pair.b,
+                          pair.b - pair.a);
     }
   }
   return rows;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/interrupt.h"
 #include "category/cad_model.h"
 #include "category/normalise.h"
 #include "io/annotation_tables.h"
@@ -164,6 +165,7 @@ std::vector<CadModel> ReadSource(const fs::path& folder, const CadSource& source
   const Extents extents = ReadExtents(folder, source);
   std::map<std::string, CadModel> by_name;
   for (const AnnotatedModel& annotated : ReadAnnotations(folder / source.annotations, source.format, spec)) {
+    ThrowIfInterrupted();
     CadModel model = LookUpModel(source, annotated, folder, extents);
     by_name[model.instance] = std::move(model);
   }

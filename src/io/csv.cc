@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/csv_fields.h"
 #include "base/errors.h"
 #include "base/nearest_name.h"
 
@@ -31,7 +32,7 @@ std::string CsvRow::At(const std::string& message) const {
 CsvTable::CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns)
     : file_(std::move(file)) {
   for (const TextLine& line : ReadTextLines(file_)) {
-    std::vector<std::string> fields = SplitFields(line.text);
+    std::vector<std::string> fields = SplitCsvFields(line.text);
     if (header_.empty()) {
       header_line_ = line.number;
       header_ = std::move(fields);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reading comma-separated tables with a header line. Blank lines and '#' comments are skipped; no quoting.
+// Reading comma-separated tables with a header line. Blank lines and '#' comments are skipped; fields may be
+// quoted, a line holds a row.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
@@ -46,9 +47,14 @@ double ReadScore(const CsvRow& row) {
   return score;
 }
 
-std::optional<double> ReadAngle(const CsvRow& row, const std::string& column, bool has_column) {
+// `most`: degrees either way; radians of an angle that is written in degrees, none where there is none.
+std::optional<double> ReadAngle(const CsvRow& row, const std::string& column, bool has_column, double most) {
   if (!has_column || row.IsEmpty(column)) return std::nullopt;
-  return row.Number(column) * kDegree;
+  const double degrees = row.Number(column);
+  if (std::abs(degrees) > most)
+    throw InputError(
+        row.At(fmt::format("{} {:g} is outside -{:g}..{:g} degrees", column, degrees, most, most)));
+  return degrees * kDegree;
 }
 
 size_t FindImageOfRow(const CsvRow& row, const std::vector<TimedPose>& stamps) {
@@ -82,9 +88,9 @@ std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& 
     detection.category = ReadCategory(row, categories);
     detection.box = ReadBox(row, camera);
     detection.score = ReadScore(row);
-    detection.azimuth = ReadAngle(row, "azimuth_deg", has_azimuth);
-    detection.elevation = ReadAngle(row, "elevation_deg", has_elevation);
-    detection.tilt = ReadAngle(row, "tilt_deg", has_tilt);
+    detection.azimuth = ReadAngle(row, "azimuth_deg", has_azimuth, 360);
+    detection.elevation = ReadAngle(row, "elevation_deg", has_elevation, 90);
+    detection.tilt = ReadAngle(row, "tilt_deg", has_tilt, 360);
     detections[FindImageOfRow(row, stamps)].push_back(detection);
   }
   return detections;

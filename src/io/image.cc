@@ -3,14 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string_view>
 #include <vector>
 
+#include "base/console.h"
 #include "base/errors.h"
 #include "base/text.h"
 #include "io/atomic_write.h"
+#include "io/exif_orientation.h"
 
 namespace armature {
 namespace {
@@ -25,13 +29,59 @@ bool IsTruncatedJpeg(std::string_view bytes) {
   return last_scan == std::string_view::npos || bytes.find("\xFF\xD9", last_scan) == std::string_view::npos;
 }
 
-cv::Mat Decode(std::string& bytes) {
+// Pixels as the camera made them, which is what intrinsics and boxes are of: never turned by an orientation.
+cv::Mat Decode(std::string& bytes, int depth) {
   if (bytes.empty() || IsTruncatedJpeg(bytes)) return {};
   try {
-    return cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()), cv::IMREAD_COLOR);
+    return cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()),
+                        cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION | depth);
   } catch (const cv::Exception&) {
     return {};
   }
+}
+
+// Of whole numbers: as many bits as the largest value needs, an even number of them as sensors have.
+int CountBits(const cv::Mat& image) {
+  double largest = 0;
+  cv::minMaxLoc(image.reshape(1), nullptr, &largest);
+  int bits = 8;
+  while (largest >= (1 << bits) && bits < 16) bits += 2;
+  return bits;
+}
+
+// Eight bits of an image that has more: of sensors with 10, 12 or 14 the highest that are used, of real
+// numbers 0..1, or 0..the largest.
+cv::Mat ToEightBits(const std::filesystem::path& file, const cv::Mat& image, std::string& bytes) {
+  cv::Mat result;
+  if (image.depth() == CV_16U) {
+    const int bits = CountBits(image);
+    if (bits == 16) return Decode(bytes, 0);
+    NoteOnce("bits of images",
+             fmt::format("{}: 16-bit image that holds {} bits: stretched to all of its range, "
+                         "as others like it are",
+                         file.string(), bits));
+    image.convertTo(result, CV_8U, std::pow(2.0, 8 - bits), bits == 8 ? 0 : -0.5 + std::pow(2.0, 7 - bits));
+    return result;
+  }
+  double smallest = 0, largest = 0;
+  cv::minMaxLoc(image.reshape(1), &smallest, &largest);
+  if (!std::isfinite(largest) || !std::isfinite(smallest)) return {};
+  if (largest > 1) {
+    NoteOnce("range of images",
+             fmt::format("{}: image of real numbers to {:g}: brought to 0..1 by the largest, "
+                         "as others like it are",
+                         file.string(), largest));
+  }
+  image.convertTo(result, CV_8U, 255 / std::max(1.0, largest));
+  return result;
+}
+
+void TellOrientation(const std::filesystem::path& file, int orientation) {
+  if (orientation == 1) return;
+  NoteOnce("orientation of images",
+           fmt::format("{}: EXIF orientation {} is ignored here and in others like it: pixels are as stored, "
+                       "which intrinsics and boxes are to be of",
+                       file.string(), orientation));
 }
 
 }  // namespace
@@ -43,22 +93,31 @@ ImageResult ReadImage(const std::filesystem::path& file) {
   } catch (const InputError& error) {
     return {std::nullopt, error.what()};
   }
-  cv::Mat image = Decode(bytes);
+  cv::Mat image = Decode(bytes, cv::IMREAD_ANYDEPTH);
+  if (!image.empty() && image.depth() != CV_8U) image = ToEightBits(file, image, bytes);
   if (image.empty()) {
     return {std::nullopt,
             fmt::format("{}: is not a complete image that can be decoded; replace the file", file.string())};
   }
-  return {std::move(image), ""};
+  ImageResult result{std::move(image), "", FindExifOrientation(bytes)};
+  TellOrientation(file, result.orientation);
+  return result;
 }
 
 ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera) {
   ImageResult result = ReadImage(file);
   if (!result.image) return result;
   if (result.image->cols == camera.width && result.image->rows == camera.height) return result;
+  const bool is_turned =
+      result.orientation >= 5 && result.image->cols == camera.height && result.image->rows == camera.width;
+  const std::string remedy =
+      is_turned
+          ? fmt::format("its EXIF orientation {} is ignored, so give the intrinsics of the pixels as stored",
+                        result.orientation)
+          : "correct sequence.yaml or replace the image";
   return {std::nullopt,
-          fmt::format("{}: is {} x {} pixels where the camera has {} x {}; correct sequence.yaml or "
-                      "replace the image",
-                      file.string(), result.image->cols, result.image->rows, camera.width, camera.height)};
+          fmt::format("{}: is {} x {} pixels where the camera has {} x {}; {}", file.string(),
+                      result.image->cols, result.image->rows, camera.width, camera.height, remedy)};
 }
 
 cv::Mat Undistorted(const cv::Mat& image, const Camera& camera) {

@@ -22,10 +22,13 @@ void WritePicture(const std::filesystem::path& file, const cv::Mat& picture);
 struct ImageResult {
   std::optional<cv::Mat> image;  // 8-bit BGR
   std::string error;             // "file: what is wrong; remedy", one line, when there is no image
+  int orientation = 1;           // the file's EXIF tag, which is not followed
 };
 
 // Reads the whole image, which has to be of the camera's size. A truncated JPEG counts as unreadable. Never
-// throws for bad files: the caller decides whether one unreadable image is skipped or ends the run.
+// throws for bad files: the caller decides whether one unreadable image is skipped or ends the run. Grey
+// becomes colour, transparency is left out; a note says, of the first such file, that an EXIF orientation is
+// not followed, that 16 bits hold fewer and are stretched, and to what real numbers are brought.
 ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera);
 
 // The same for an image of any size.

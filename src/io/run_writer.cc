@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "category/category_lookup.h"
 #include "io/shape_evidence_csv.h"
@@ -59,7 +60,7 @@ std::string ObjectsText(const std::vector<MapObject>& objects) {
   std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
   for (const MapObject& object : objects) {
     const Eigen::Vector3d size = object.Size();
-    text += fmt::format("{},{},,{},{},{},{},{},{}\n", object.id, object.model->spec.name,
+    text += fmt::format("{},{},,{},{},{},{},{},{}\n", CsvField(object.id), CsvField(object.model->spec.name),
                         PoseFields(object.T_world_object), Fixed(size.x(), 6), Fixed(size.y(), 6),
                         Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
   }
@@ -126,7 +127,7 @@ void RunWriter::WriteObservations() {
   std::string text =
       "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n";
   for (const ObservationRow& row : observations_) {
-    text += fmt::format("{},{},{}\n", row.before_object, row.object, row.after_object);
+    text += fmt::format("{},{},{}\n", row.before_object, CsvField(row.object), row.after_object);
   }
   WriteFile(File("observations.csv"), text);
 }
@@ -136,7 +137,7 @@ void RunWriter::WriteAssociations(double timestamp, size_t index, const ObjectOb
   for (const EdgeMatch& match : observation.estimate.matches) {
     const Segment& segment = match.segment;
     associations_ << fmt::format("{},{},{},{},{},{},{},{}\n", Fixed(timestamp, 6), index,
-                                 spec.edge_names.at(static_cast<size_t>(match.edge)),
+                                 CsvField(spec.edge_names.at(static_cast<size_t>(match.edge))),
                                  Fixed(segment.p1.x(), 3), Fixed(segment.p1.y(), 3), Fixed(segment.p2.x(), 3),
                                  Fixed(segment.p2.y(), 3), Fixed(match.cost, 4));
   }

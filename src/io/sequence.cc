@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/console.h"
 #include "base/errors.h"
+#include "base/statistics.h"
 #include "base/text.h"
+#include "geometry/camera_faults.h"
+#include "io/stamps.h"
 #include "io/trajectory.h"
 #include "io/yaml_support.h"
 
@@ -53,7 +57,19 @@ Camera ReadCamera(const YamlMap& map) {
   camera.cx = map.Number("cx");
   camera.cy = map.Number("cy");
   ReadDistortion(map, &camera);
+  for (const CameraFault& fault : FindCameraFaults(camera)) {
+    const std::string message = map.At(fault.key, fault.what);
+    if (fault.is_impossible) throw InputError(message);
+    NoteOnce(message, "warning: " + message);
+  }
   return camera;
+}
+
+double ReadRate(const YamlMap& map) {
+  constexpr double kLeast = 1e-5, kMost = 1e4;  // an image a day, the fastest cameras
+  const double fps = PositiveNumber(map, "fps");
+  if (fps >= kLeast && fps <= kMost) return fps;
+  throw InputError(map.At("fps", fmt::format("is {:g}; write how many images there are a second", fps)));
 }
 
 std::string ReadName(const YamlMap& map) {
@@ -112,17 +128,69 @@ std::vector<double> CollectStamps(const std::vector<ImageEntry>& images) {
   return stamps;
 }
 
+// A stamp is in seconds, and images of one sequence are not years apart.
+void CheckStamp(const ImageEntry& entry, const ImageEntry* earlier, const std::string& where) {
+  constexpr double kLongest = 10 * 365.25 * 24 * 3600.0;  // seconds
+  if (const auto unit = GuessStampUnit(entry.timestamp)) {
+    throw InputError(fmt::format("{}: stamp {:.15g} is too large for seconds: {}? write seconds", where,
+                                 entry.timestamp, *unit));
+  }
+  if (earlier == nullptr || entry.timestamp - earlier->timestamp < kLongest) return;
+  throw InputError(
+      fmt::format("{}: stamp {:.15g} is {} after {:.15g} of line {}; stamps are seconds, all "
+                  "since the same moment",
+                  where, entry.timestamp, DescribeDuration(entry.timestamp - earlier->timestamp),
+                  earlier->timestamp, earlier->line));
+}
+
+// Images that are a thousand times as far apart as sequence.yaml says have stamps in another unit.
+void CheckPace(const std::filesystem::path& list, const std::vector<double>& stamps, double fps) {
+  if (stamps.size() < 2) return;
+  std::vector<double> steps;
+  for (size_t i = 1; i < stamps.size(); ++i) steps.push_back(stamps[i] - stamps[i - 1]);
+  const double step = Median(steps);
+  for (const auto& [factor, unit] :
+       {std::pair{1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
+    if (step * fps < 0.5 * factor || step * fps > 2 * factor) continue;
+    throw InputError(
+        fmt::format("{}: an image each {:g} s (median), where 'fps' in sequence.yaml is {:g}: {}? "
+                    "write seconds, or correct fps",
+                    list.string(), step, fps, unit));
+  }
+}
+
+// What can be right, as of two sessions, but is told.
+void TellLongestGap(const std::filesystem::path& list, const std::vector<ImageEntry>& images) {
+  constexpr double kLong = 3600;  // seconds
+  double longest = 0;
+  const ImageEntry* after = nullptr;
+  for (size_t i = 1; i < images.size(); ++i) {
+    const double gap = images[i].timestamp - images[i - 1].timestamp;
+    if (gap > longest) after = &images[i];
+    longest = std::max(longest, gap);
+  }
+  if (longest < kLong) return;
+  Note(fmt::format("{}:{}: {} after the image before, the longest gap; are stamps in seconds?", list.string(),
+                   after->line, DescribeDuration(longest)));
+}
+
 void LoadOdometry(const std::filesystem::path& file, const OdometryOptions& options, Sequence* sequence) {
   const std::vector<double> stamps = CollectStamps(sequence->images);
-  if (std::filesystem::exists(file)) sequence->odometry = ReadTrajectory(file, {.stamps = stamps});
+  if (std::filesystem::exists(file)) {
+    TrajectoryFile read = ReadTrajectoryFile(file, {.stamps = stamps});
+    if (read.repeated > 0) Note(DescribeRepeatedStamps(file, read));
+    sequence->odometry = std::move(read.poses);
+  }
   OdometryAtImages at_images = PosesAtImages(sequence->odometry, stamps, options);
   sequence->T_odom_camera = std::move(at_images.T_odom_camera);
   sequence->coverage = at_images.coverage;
   if (sequence->odometry.empty() || sequence->coverage.images_with_pose > 0) return;
-  throw InputError(
-      fmt::format("{}:{}: no pose is within {:g} ms of an image, and no two at most {:g} s apart are around "
-                  "one; use the stamps of rgb.txt",
-                  file.string(), sequence->odometry.front().line, 1e3 * options.tolerance, options.max_gap));
+  throw InputError(fmt::format(
+      "{}:{}: no pose is within {:g} ms of an image, and no two at most {:g} s apart are around "
+      "one: its stamps go from {}, those of rgb.txt from {}; use the stamps of rgb.txt",
+      file.string(), sequence->odometry.front().line, 1e3 * options.tolerance, options.max_gap,
+      DescribeStampRange(sequence->odometry.front().timestamp, sequence->odometry.back().timestamp),
+      DescribeStampRange(stamps.front(), stamps.back())));
 }
 
 }  // namespace
@@ -139,6 +207,8 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   sequence.odometry_metric = settings.odometry_metric;
   sequence.folder = folder;
   sequence.images = ReadImageList(folder / "rgb.txt");
+  CheckPace(folder / "rgb.txt", CollectStamps(sequence.images), sequence.fps);
+  TellLongestGap(folder / "rgb.txt", sequence.images);
   sequence.detections =
       ReadDetections(folder / "detections.csv", sequence.images, sequence.camera, categories);
   LoadOdometry(folder / "odometry.txt", odometry, &sequence);
@@ -156,6 +226,7 @@ std::vector<ImageEntry> ReadImageList(const std::filesystem::path& file) {
   for (const TextLine& line : ReadTextLines(file)) {
     const std::string where = fmt::format("{}:{}", file.string(), line.number);
     const ImageEntry entry = ParseEntry(line, file.parent_path(), where);
+    CheckStamp(entry, images.empty() ? nullptr : &images.back(), where);
     CheckExists(entry, where);
     if (!images.empty() && entry.timestamp - images.back().timestamp <= kStampTolerance) {
       throw InputError(
@@ -176,7 +247,7 @@ SequenceSettings ReadSequenceSettings(const std::filesystem::path& file) {
   map.CheckKeys({"name", "fps", "camera", "up", "odometry_metric"});
   SequenceSettings settings;
   settings.name = ReadName(map);
-  settings.fps = PositiveNumber(map, "fps");
+  settings.fps = ReadRate(map);
   settings.camera = ReadCamera(map.Map("camera"));
   if (map.Has("up")) settings.up = ReadUp(map);
   if (map.Has("odometry_metric")) settings.odometry_metric = map.Boolean("odometry_metric");

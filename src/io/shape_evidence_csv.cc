@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "base/csv_fields.h"
 #include "base/errors.h"
 #include "base/number_format.h"
 #include "io/csv.h"
@@ -67,7 +68,7 @@ std::string ShapeEvidenceText(const std::vector<MapObject>& objects) {
   std::string text = "id,model,information,vector\n";
   for (const MapObject& object : objects) {
     const Eigen::VectorXd& vector = object.evidence.vector;
-    text += fmt::format("{},{:016x},{},{}\n", object.id, ModelChecksum(*object.model),
+    text += fmt::format("{},{:016x},{},{}\n", CsvField(object.id), ModelChecksum(*object.model),
                         Joined(LowerTriangle(object.evidence.information)),
                         Joined({vector.begin(), vector.end()}));
   }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/csv_fields.h"
 #include "base/errors.h"
 #include "base/nearest_name.h"
 #include "base/number_format.h"
@@ -68,13 +69,6 @@ std::string EscapedLatex(const std::string& text) {
     }
   }
   return escaped;
-}
-
-std::string EscapedCsv(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 const Layout kText{"", "  ", "", Unchanged};
@@ -171,11 +165,11 @@ std::string FormatLatex(const Table& table) {
 std::string FormatCsv(const Table& table) {
   std::string text = table.title.empty() ? "" : fmt::format("# {}\n", table.title);
   TextRow fields;
-  for (const std::string& column : table.columns) fields.push_back(EscapedCsv(column));
+  for (const std::string& column : table.columns) fields.push_back(CsvField(column));
   text += fmt::format("{}\n", fmt::join(fields, ","));
   for (const auto& row : table.rows) {
     fields.clear();
-    for (const Cell& cell : row) fields.push_back(EscapedCsv(cell.text));
+    for (const Cell& cell : row) fields.push_back(CsvField(cell.text));
     text += fmt::format("{}\n", fmt::join(fields, ","));
   }
   for (const std::string& note : table.notes) text += fmt::format("# {}\n", note);

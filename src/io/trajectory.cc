@@ -126,13 +126,10 @@ void CheckLayout(const Fields& fields, const LineLayout& layout, const std::stri
                                Described(fields), layout.name, layout.fields, layout.example));
 }
 
-void CheckOrder(const TimedPose& earlier, const TimedPose& later, RepeatedStamps repeated,
-                const std::string& where) {
-  if (later.timestamp > earlier.timestamp) return;
-  if (later.timestamp == earlier.timestamp && repeated == RepeatedStamps::kKept) return;
-  throw InputError(
-      fmt::format("{}: stamp {:.6f} does not follow {:.6f} of line {}; sort the poses, one a stamp", where,
-                  later.timestamp, earlier.timestamp, earlier.line));
+void CheckOrder(const TimedPose& earlier, const TimedPose& later, const std::string& where) {
+  if (later.timestamp >= earlier.timestamp) return;
+  throw InputError(fmt::format("{}: stamp {:.6f} is before {:.6f} of line {}; sort the lines by stamp", where,
+                               later.timestamp, earlier.timestamp, earlier.line));
 }
 
 // KITTI's poses have no stamps of their own.
@@ -146,8 +143,8 @@ double ComputeLineStamp(size_t index, size_t lines, const TrajectoryReading& rea
 
 }  // namespace
 
-std::vector<TimedPose> ReadTumTrajectory(const std::filesystem::path& file, RepeatedStamps repeated) {
-  return ReadTrajectory(file, {.format = TrajectoryFormat::kTum, .repeated = repeated});
+std::vector<TimedPose> ReadTumTrajectory(const std::filesystem::path& file) {
+  return ReadTrajectory(file, {.format = TrajectoryFormat::kTum});
 }
 
 std::string TumLine(const TimedPose& pose) {
@@ -172,28 +169,44 @@ TrajectoryFormat TrajectoryFormatFromName(const std::string& name) {
   return static_cast<TrajectoryFormat>(found - names.begin());
 }
 
-std::vector<TimedPose> ReadTrajectory(const std::filesystem::path& file, const TrajectoryReading& reading) {
+TrajectoryFile ReadTrajectoryFile(const std::filesystem::path& file, const TrajectoryReading& reading) {
   const std::vector<TextLine> lines = ReadTextLines(file);
   TrajectoryFormat format = reading.format;
-  std::vector<TimedPose> poses;
-  for (const TextLine& line : lines) {
-    const std::string where = fmt::format("{}:{}", file.string(), line.number);
-    const Fields fields = Split(line.text);
+  TrajectoryFile read;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::string where = fmt::format("{}:{}", file.string(), lines[i].number);
+    const Fields fields = Split(lines[i].text);
     if (format == TrajectoryFormat::kAuto) format = DetectFormat(fields, where);
     CheckLayout(fields, GetLayout(format), where);
     TimedPose pose = ParsePose(fields, format, where);
-    pose.line = line.number;
+    pose.line = lines[i].number;
     if (format == TrajectoryFormat::kKitti) {
-      pose.timestamp = ComputeLineStamp(poses.size(), lines.size(), reading, file);
+      pose.timestamp = ComputeLineStamp(i, lines.size(), reading, file);
     }
-    if (!poses.empty()) CheckOrder(poses.back(), pose, reading.repeated, where);
-    poses.push_back(pose);
+    if (!read.poses.empty()) {
+      CheckOrder(read.poses.back(), pose, where);
+      const bool is_repeated = pose.timestamp == read.poses.back().timestamp;
+      if (is_repeated && reading.repeated == RepeatedStamps::kFirstKept) {
+        ++read.repeated;
+        continue;
+      }
+    }
+    read.poses.push_back(pose);
   }
-  if (poses.empty()) {
-    throw InputError(
-        fmt::format("{}: has no pose; write lines 'timestamp tx ty tz qx qy qz qw'", file.string()));
-  }
-  return poses;
+  read.is_numbered = format == TrajectoryFormat::kKitti && reading.stamps.empty();
+  if (!read.poses.empty()) return read;
+  throw InputError(
+      fmt::format("{}: has no pose; write lines 'timestamp tx ty tz qx qy qz qw'", file.string()));
+}
+
+std::string DescribeRepeatedStamps(const std::filesystem::path& file, const TrajectoryFile& read) {
+  if (read.repeated == 0) return "";
+  return fmt::format("{}: {} of {} poses have the stamp of the one before; the first of each stamp is kept",
+                     file.string(), read.repeated, read.repeated + read.poses.size());
+}
+
+std::vector<TimedPose> ReadTrajectory(const std::filesystem::path& file, const TrajectoryReading& reading) {
+  return ReadTrajectoryFile(file, reading).poses;
 }
 
 std::vector<double> ReadStamps(const std::filesystem::path& file) {

@@ -17,14 +17,14 @@
 
 namespace armature {
 
-// Motion capture systems write the same stamp twice at times; the poses of a camera must not.
-enum class RepeatedStamps { kRejected, kKept };
+// Motion capture systems write the same stamp twice at times: of the truth all are kept. So do systems that
+// estimate: a camera has one pose at a time, the first.
+enum class RepeatedStamps { kFirstKept, kKept };
 
-// The poses in the order of the file, their quaternions normalised. Throws InputError when the file cannot be
-// read, has no pose, a line has not 8 finite numbers, stamps do not grow, or a quaternion's length is further
-// than 1e-3 from 1.
-std::vector<TimedPose> ReadTumTrajectory(const std::filesystem::path& file,
-                                         RepeatedStamps repeated = RepeatedStamps::kRejected);
+// The poses in the order of the file, their quaternions normalised, the first of a stamp. Throws InputError
+// when the file cannot be read, has no pose, a line has not 8 finite numbers, a stamp is less than the one
+// before, or a quaternion's length is further than 1e-3 from 1.
+std::vector<TimedPose> ReadTumTrajectory(const std::filesystem::path& file);
 
 // "timestamp tx ty tz qx qy qz qw", the stamp with 6 digits, the pose with 9, qw >= 0.
 std::string TumLine(const TimedPose& pose);
@@ -40,7 +40,7 @@ TrajectoryFormat TrajectoryFormatFromName(const std::string& name);
 struct TrajectoryReading {
   // kAuto: by the first line: EuRoC with commas, else TUM with 8 numbers and KITTI with 12.
   TrajectoryFormat format = TrajectoryFormat::kAuto;
-  RepeatedStamps repeated = RepeatedStamps::kRejected;
+  RepeatedStamps repeated = RepeatedStamps::kFirstKept;
   // For KITTI alone: the stamp of each line, seconds; empty: the line's number from 0, over the rate.
   std::vector<double> stamps{};
   double rate = 1;  // poses a second, > 0
@@ -48,8 +48,21 @@ struct TrajectoryReading {
 
 // The poses in the order of the file, rotations normalised. Throws InputError naming file, line and remedy:
 // the file cannot be read, has no pose, its format is not told by the first line, a line is not in the format
-// of the first or has a number that is not finite, stamps do not grow, a quaternion's length is further than
-// 1e-3 from 1, a matrix is further than 1e-3 from a rotation, or there are not as many KITTI lines as stamps.
+// of the first or has a number that is not finite, a stamp is less than the one before, a quaternion's length
+// is further than 1e-3 from 1, a matrix is further than 1e-3 from a rotation, or there are not as many KITTI
+// lines as stamps.
+struct TrajectoryFile {
+  std::vector<TimedPose> poses;
+  size_t repeated = 0;       // poses that were left out, as their stamp is that of the one before
+  bool is_numbered = false;  // the stamps are numbers of lines: the file and the caller have none
+};
+TrajectoryFile ReadTrajectoryFile(const std::filesystem::path& file, const TrajectoryReading& reading = {});
+
+// "file: 3 poses have ...; the first of each stamp is kept": what a user has to know of the reading; empty:
+// nothing.
+std::string DescribeRepeatedStamps(const std::filesystem::path& file, const TrajectoryFile& read);
+
+// Only the poses.
 std::vector<TimedPose> ReadTrajectory(const std::filesystem::path& file,
                                       const TrajectoryReading& reading = {});
 

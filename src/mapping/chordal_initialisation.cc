@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/interrupt.h"
 #include "mapping/free_poses.h"
 
 namespace armature {
@@ -129,7 +130,9 @@ std::vector<Eigen::Isometry3d> ChordalPoses(const PoseGraph& graph) {
   const FreePoses free = FindFreePoses(graph);
   std::vector<Eigen::Isometry3d> poses = graph.poses;
   if (free.count == 0 || graph.edges.empty()) return poses;
+  ThrowIfInterrupted();
   SolveRotations(graph, free, poses);
+  ThrowIfInterrupted();
   SolvePositions(graph, free, poses);
   return poses;
 }

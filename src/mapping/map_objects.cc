@@ -58,6 +58,14 @@ ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object) {
   return factor;
 }
 
+// A longer gap between images counts as one of this length: knots are as many as images ask for, not as
+// seconds pass between two sessions.
+constexpr double kLongestGap = 60;  // seconds
+
+double BeyondLongestGap(const MapFrame& earlier, const MapFrame& later) {
+  return std::max(0.0, later.timestamp - earlier.timestamp - kLongestGap);
+}
+
 }  // namespace
 
 double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b) {
@@ -72,8 +80,10 @@ MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstim
   graph.scale_is_held = expected_scale.sigma <= 0;
   const double scale = expected_scale.scale;
   const double start = frames.front().timestamp;
-  const double seconds = frames.back().timestamp - start;
+  double seconds = frames.back().timestamp - start;
+  for (size_t i = 1; i < frames.size(); ++i) seconds -= BeyondLongestGap(frames[i - 1], frames[i]);
   const int knots = 2 + static_cast<int>(seconds / kKnotSeconds);
+  double left_out = 0;
   graph.log_scale.assign(static_cast<size_t>(knots), std::log(scale));
   for (size_t i = 0; i < frames.size(); ++i) {
     Eigen::Isometry3d pose = frames[i].T_odom_camera;
@@ -93,7 +103,10 @@ MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstim
       step.rotation_sigma = kJumpTurn;
       step.translation_sigma = kJumpWay;
     }
-    const double at = (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start) / kKnotSeconds;
+    const double gap = BeyondLongestGap(frames[i - 1], frames[i]);
+    const double at =
+        (0.5 * (frames[i].timestamp + frames[i - 1].timestamp) - start - left_out - 0.5 * gap) / kKnotSeconds;
+    left_out += gap;
     step.knot = std::clamp(static_cast<int>(at), 0, knots - 2);
     step.share = at - step.knot;
     graph.odometry.push_back(step);

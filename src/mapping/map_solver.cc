@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/rotation.h"
+#include "mapping/interruptible_solve.h"
 #include "mapping/map_factors.h"
 #include "mapping/one_thread.h"
 #include "mapping/pose_block.h"
@@ -200,7 +201,7 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
   ceres::Solver::Options solver = MakeSolverOptions(options);
   solver.callbacks.push_back(&stop);
   const OneThread one_thread;
-  ceres::Solve(solver, &problem, &summary);
+  SolveUnlessInterrupted(solver, &problem, &summary);
   const bool usable = summary.IsSolutionUsable();
   if (usable) Store(blocks, graph);
   return {summary.initial_cost, usable ? summary.final_cost : summary.initial_cost,

@@ -9,7 +9,9 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "mapping/far_start.h"
 #include "mapping/free_poses.h"
+#include "mapping/interruptible_solve.h"
 #include "mapping/one_thread.h"
 #include "mapping/pose_block.h"
 #include "mapping/pose_graph_start.h"
@@ -83,7 +85,7 @@ void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraph
   }
   ceres::Solver::Summary summary;
   const OneThread one_thread;
-  ceres::Solve(MakeSolverOptions(options), &problem, &summary);
+  SolveUnlessInterrupted(MakeSolverOptions(options), &problem, &summary);
   if (!summary.IsSolutionUsable()) throw std::runtime_error("pose graph: " + summary.message);
   for (size_t pose = 0; pose < blocks.size(); ++pose) {
     // A fixed pose keeps its very bits.
@@ -94,6 +96,17 @@ void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraph
   result.final_cost = 2 * summary.final_cost;
   result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);  // the first is the start
   result.converged = summary.termination_type == ceres::CONVERGENCE;
+}
+
+// The same graph where `start` is the origin; a fixed pose keeps its very bits.
+PoseGraphResult SolveAbout(const Eigen::Vector3d& start, const PoseGraph& graph,
+                           const PoseGraphOptions& options) {
+  PoseGraph near = graph;
+  for (Eigen::Isometry3d& pose : near.poses) pose.pretranslate(-start);
+  PoseGraphResult result = SolvePoseGraph(near, options);
+  for (Eigen::Isometry3d& pose : result.poses) pose.pretranslate(start);
+  for (const size_t pose : FixedPoses(graph)) result.poses[pose] = graph.poses[pose];
+  return result;
 }
 
 }  // namespace
@@ -109,6 +122,7 @@ double PoseGraphCost(const PoseGraph& graph, const std::vector<Eigen::Isometry3d
 
 PoseGraphResult SolvePoseGraph(const PoseGraph& graph, const PoseGraphOptions& options) {
   CheckGraph(graph);
+  if (const auto start = FindFarStart(graph.poses)) return SolveAbout(*start, graph, options);
   PoseGraphResult result;
   Clock::time_point clock = Clock::now();
   StartingPoses start = FindStartingPoses(graph, options.start);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mapping/far_start.h"
+
 namespace armature {
 namespace {
 
@@ -146,6 +148,24 @@ ObjectOfObservation WithoutUnsureViews(const std::vector<MapFrame>& frames, Obje
   return phi;
 }
 
+std::optional<Eigen::Vector3d> FindFarOdometry(const std::vector<MapFrame>& frames) {
+  std::vector<Eigen::Isometry3d> poses;
+  poses.reserve(frames.size());
+  for (const MapFrame& frame : frames) poses.push_back(frame.T_odom_camera);
+  return FindFarStart(poses);
+}
+
+std::vector<MapFrame> Moved(std::vector<MapFrame> frames, const Eigen::Vector3d& by) {
+  for (MapFrame& frame : frames) frame.T_odom_camera.pretranslate(by);
+  return frames;
+}
+
+Map Moved(Map map, const Eigen::Vector3d& by) {
+  for (Eigen::Isometry3d& T_world_camera : map.T_world_camera) T_world_camera.pretranslate(by);
+  for (MapObject& object : map.objects) object.T_world_object.pretranslate(by);
+  return map;
+}
+
 }  // namespace
 
 std::optional<double> SecondsBetween(const MappingOptions& options) {
@@ -164,6 +184,11 @@ double Map::MeanScale() const {
 
 Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_scale, const BoxOptions& box,
              const ResectionOptions& resection, const MappingOptions& options) {
+  if (const auto start = FindFarOdometry(frames)) {
+    Map map = SolveMap(Moved(frames, -*start), expected_scale, box, resection, options);
+    const Eigen::Vector3d by = map.MeanScale() * *start;
+    return Moved(std::move(map), by);
+  }
   MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
   ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
   AddObjects(frames, phi, graph);
@@ -173,6 +198,10 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
+  if (const auto start = FindFarOdometry(frames)) {
+    const Eigen::Vector3d by = map.MeanScale() * *start;
+    return Moved(PlaceByOdometry(Moved(frames, -*start), Moved(map, -by), options), by);
+  }
   MapGraph graph = MakeOdometryGraph(frames, {map.MeanScale(), 0}, options.odometry);
   graph.cameras_are_held = true;
   AddObjects(frames, WithoutUnsureViews(frames, map.phi, map.objects.size()), graph);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/interrupt.h"
 #include "category/normalise.h"
 
 namespace armature {
@@ -86,6 +87,7 @@ InstanceLibrary BuildLibrary(const std::vector<CategoryModel>& models, const std
     CategoryInstances instances{.category = model.spec.name, .model_checksum = ModelChecksum(model)};
     Resize(model.modes(), model.spec.edges(), count, instances);
     for (const CadModel& c : cad) {
+      ThrowIfInterrupted();
       if (c.category != model.spec.name) continue;
       if (const auto to = FindMetres(model.spec, c)) Store(model, c, *to, instances.size(), instances);
     }

@@ -20,6 +20,7 @@ struct TrueObject {
   std::string instance;  // "source:model", empty where the CAD model is not known
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
   Eigen::Vector3d size{0, 0, 0};                                     // metres, along the object's axes
+  int line = 0;                                                      // of objects_gt.csv
 };
 
 struct GroundTruth {
@@ -40,7 +41,9 @@ struct GroundTruth {
 // image of rgb.txt), repeated stamps kept. Throws InputError.
 std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence);
 
-// groundtruth.txt, objects_gt.csv and detections_gt.csv of a sequence folder. Throws InputError.
+// groundtruth.txt, objects_gt.csv and detections_gt.csv of a sequence folder. Throws InputError naming file
+// and line: also for an object or detection that is there twice, a size that is not greater than 0, and an
+// index that no detection of detections.csv (where the folder has one) has at the stamp.
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence);
 
 }  // namespace armature

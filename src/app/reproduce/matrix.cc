@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 #include "io/sequence.h"
 
 namespace armature {
@@ -50,6 +52,19 @@ void CheckKnown(const std::vector<std::string>& names, const Matrix& matrix) {
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("--only: " + UnknownNameMessage("sequence, variant or timing", name, known));
+  }
+}
+
+bool IsAmong(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Empty where the file is not there or malformed, which its run will say.
+std::string ReadNameIfAny(const fs::path& sequence) {
+  try {
+    return ReadSequenceSettings(sequence / "sequence.yaml").name;
+  } catch (const InputError&) {
+    return "";
   }
 }
 
@@ -114,6 +129,21 @@ void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
   }
   for (Timing& timing : matrix.timings) {
     if (!timing.sequences.empty()) timing.sequences = FamilyNames(matrix);
+  }
+}
+
+void CheckNamesDiffer(const Matrix& matrix) {
+  std::map<std::string, std::string> where;
+  for (const MatrixSequence& sequence : ListSequences(matrix)) {
+    const bool is_rendered = IsAmong(matrix.scenes, sequence.family);
+    const std::string name = is_rendered ? sequence.name : ReadNameIfAny(sequence.folder);
+    if (name.empty()) continue;
+    const auto [first, is_new] = where.emplace(name, sequence.folder.string());
+    if (is_new) continue;
+    throw InputError(
+        fmt::format("{}: is called {} in its sequence.yaml as {} is, and results are told apart by "
+                    "that name; give it another",
+                    sequence.folder.string(), Quoted(name), first->second));
   }
 }
 

@@ -70,6 +70,10 @@ void KeepOnly(const std::vector<std::string>& names, Matrix& matrix);
 // InputError: a folder that is not there, two of one name.
 void ReplaceSequences(const std::vector<std::filesystem::path>& folders, Matrix& matrix);
 
+// Folders are told apart by their names, results by the names in sequence.yaml. Throws InputError where two
+// sequences have one name there.
+void CheckNamesDiffer(const Matrix& matrix);
+
 // A sequence of the matrix: rendered from a scene, or of one's own.
 struct MatrixSequence {
   std::string name{};    // of its run folders

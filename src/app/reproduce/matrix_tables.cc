@@ -9,6 +9,7 @@
 
 #include "app/reproduce/job_records.h"
 #include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {
@@ -68,12 +69,31 @@ VariantRecords FindRecords(const EvaluationRecords& records, const EvaluatedRunR
   return found;
 }
 
+// A run that was evaluated has records of all that its sequence has the truth of: dashes would hide a wrong
+// name.
+void CheckEvaluated(const MatrixEvaluation& evaluation, const EvaluatedRunRecord& run,
+                    const std::filesystem::path& sequence) {
+  const auto is_any = [](const auto&) { return true; };
+  const bool cameras = std::filesystem::exists(sequence / "groundtruth.txt");
+  const bool objects = cameras && std::filesystem::exists(sequence / "objects_gt.csv");
+  const bool lacks_cameras = cameras && FindRecord(evaluation.records.trajectories, run, is_any) == nullptr;
+  const bool lacks_objects = objects && FindRecord(evaluation.records.objects, run, is_any) == nullptr;
+  if (!lacks_cameras && !lacks_objects) return;
+  throw InputError(
+      fmt::format("{}: has no {} of run {} of sequence {}, of which {} has the truth; remove the "
+                  "file's folder and run 'armature reproduce' again",
+                  evaluation.file.string(), lacks_cameras ? "cameras" : "objects", Quoted(run.run),
+                  Quoted(run.sequence), sequence.string()));
+}
+
 VariantRecords FindRecords(const std::vector<JobRecord>& jobs, const MatrixEvaluation* evaluation,
-                           const Variant& variant, const std::string& sequence) {
-  const std::string folder = FindRunFolder(variant, sequence);
+                           const Variant& variant, const MatrixSequence& sequence) {
+  const std::string folder = FindRunFolder(variant, sequence.name);
   const JobRecord* job = FindJob(jobs, folder);
   if (evaluation == nullptr || job == nullptr || !job->HasSucceeded()) return {};
-  return FindRecords(evaluation->records, FindRun(*evaluation, folder), !variant.IsRun());
+  const EvaluatedRunRecord& run = FindRun(*evaluation, folder);
+  CheckEvaluated(*evaluation, run, sequence.folder);
+  return FindRecords(evaluation->records, run, !variant.IsRun());
 }
 
 // What became of the job.
@@ -142,7 +162,7 @@ void PushDraws(const Matrix& matrix, const std::vector<JobRecord>& jobs, const M
   long found = 0, observed = 0, spurious = 0;
   for (const MatrixSequence& sequence : ListSequences(matrix)) {
     if (sequence.family != scene) continue;
-    const ObjectRecord* objects = FindRecords(jobs, evaluation, variant, sequence.name).objects;
+    const ObjectRecord* objects = FindRecords(jobs, evaluation, variant, sequence).objects;
     if (objects == nullptr) continue;
     if (objects->object_error_mean_m) error.values.push_back(*objects->object_error_mean_m);
     found += objects->found;
@@ -174,8 +194,7 @@ Table MatrixTable(const Matrix& matrix, const std::vector<JobRecord>& jobs,
               .name = "matrix"};
   for (const MatrixSequence& sequence : ListSequences(matrix)) {
     for (const Variant& variant : matrix.variants)
-      table.rows.push_back(MatrixRow(sequence.name, variant,
-                                     FindRecords(jobs, evaluation, variant, sequence.name),
+      table.rows.push_back(MatrixRow(sequence.name, variant, FindRecords(jobs, evaluation, variant, sequence),
                                      FindJob(jobs, FindRunFolder(variant, sequence.name))));
   }
   return table;

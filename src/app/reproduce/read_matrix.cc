@@ -68,8 +68,11 @@ void ReadSequences(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
   if (map.Has("frames")) matrix.frames = map.Integer("frames");
   if (!map.Has("sequences")) return;
   matrix.sequences.clear();
-  for (const std::string& folder : map.Texts("sequences"))
-    matrix.sequences.push_back((beside / folder).lexically_normal());
+  for (const std::string& folder : map.Texts("sequences")) {
+    fs::path sequence = (beside / folder).lexically_normal();
+    if (!sequence.has_filename()) sequence = sequence.parent_path();  // a slash at its end
+    matrix.sequences.push_back(sequence);
+  }
 }
 
 // What the map names replaces what is there.
@@ -130,6 +133,20 @@ void CheckNumbers(const YamlMap& map, const Matrix& matrix) {
   if (matrix.seeds < 1) throw InputError(map.At("seeds", "has to be 1 or more"));
   if (matrix.frames < 0) throw InputError(map.At("frames", "has to be 1 or more, 0 for all"));
   if (matrix.library_every < 0) throw InputError(map.At("library_every", "has to be 1 or more, 0 for none"));
+}
+
+// What the matrix's own sequences are to be: scenes are rendered, the others are there.
+void CheckSequences(const YamlMap& map, const Matrix& matrix) {
+  const std::vector<std::string> families = FamilyNames(matrix);
+  if (families.empty()) {
+    throw InputError(map.At("scenes",
+                            "and `sequences` are empty: nothing to run; add one, or name sequence "
+                            "folders in the call"));
+  }
+  CheckDistinct(map, "sequences", families);
+  for (const Timing& timing : matrix.timings) {
+    for (const std::string& name : timing.sequences) CheckKnown(map, "timings", "sequence", name, families);
+  }
   const bool renders = !matrix.scenes.empty();
   if (renders && matrix.data.empty()) throw InputError(map.At("data", "has to name a folder for the scenes"));
   if (!renders && !matrix.retrieval.empty() && matrix.cad.empty())
@@ -141,25 +158,20 @@ void CheckNumbers(const YamlMap& map, const Matrix& matrix) {
 }
 
 void CheckMatrix(const YamlMap& map, const Matrix& matrix) {
-  const std::vector<std::string> families = FamilyNames(matrix), runs = RunVariants(matrix);
-  if (families.empty()) throw InputError(map.At("scenes", "and `sequences` are empty: nothing to run"));
+  const std::vector<std::string> runs = RunVariants(matrix);
   if (runs.empty()) throw InputError(map.At("variants", "has nothing to run"));
-  CheckDistinct(map, "sequences", families);
   CheckDistinct(map, "variants", ListNames(matrix.variants));
   CheckDistinct(map, "timings", ListNames(matrix.timings));
   for (const Variant& variant : matrix.variants) {
     if (!variant.IsRun()) CheckKnown(map, "variants", "variant", variant.odometry_of, runs);
   }
   for (const std::string& name : matrix.retrieval) CheckKnown(map, "retrieval", "variant", name, runs);
-  for (const Timing& timing : matrix.timings) {
-    for (const std::string& name : timing.sequences) CheckKnown(map, "timings", "sequence", name, families);
-  }
   CheckNumbers(map, matrix);
 }
 
 }  // namespace
 
-Matrix ReadMatrix(const fs::path& file, bool fast) {
+Matrix ReadMatrix(const fs::path& file, const MatrixReading& reading) {
   const YamlMap map = YamlMap::Load(file);
   std::vector<std::string> keys = kKeys;
   keys.push_back("fast");
@@ -167,12 +179,13 @@ Matrix ReadMatrix(const fs::path& file, bool fast) {
   const fs::path beside = fs::absolute(file).parent_path();
   Matrix matrix;
   Read(map, beside, matrix);
-  if (fast) {
+  if (reading.fast) {
     if (!map.Has("fast")) throw InputError(map.At("fast", "is missing: it says what --fast leaves out"));
     map.Map("fast").CheckKeys(kKeys);
     Read(map.Map("fast"), beside, matrix);
   }
   CheckMatrix(map, matrix);
+  if (!reading.has_own_sequences) CheckSequences(map, matrix);
   return matrix;
 }
 

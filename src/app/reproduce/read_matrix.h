@@ -9,9 +9,14 @@
 
 namespace armature {
 
-// `fast`: with what the file's key `fast` changes. Relative configurations of variants are looked for beside
-// the file. Throws InputError naming file and line: an unknown key, a value of another type, a name that is
-// used twice or not known, nothing to run.
-Matrix ReadMatrix(const std::filesystem::path& file, bool fast);
+struct MatrixReading {
+  bool fast = false;  // with what the file's key `fast` changes
+  // The sequences of ReplaceSequences are to be run instead of the file's, which then need not have any.
+  bool has_own_sequences = false;
+};
+
+// Relative configurations of variants are looked for beside the file. Throws InputError naming file and line:
+// an unknown key, a value of another type, a name that is used twice or not known, nothing to run.
+Matrix ReadMatrix(const std::filesystem::path& file, const MatrixReading& reading);
 
 }  // namespace armature

@@ -32,8 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Matrix LoadMatrix(const ReproduceArguments& a) {
-  Matrix matrix =
-      ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config, a.fast);
+  Matrix matrix = ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config,
+                             {.fast = a.fast, .has_own_sequences = !a.sequences.empty()});
   if (!a.data.empty()) matrix.data = a.data;
   if (!a.cad.empty()) matrix.cad = fs::absolute(a.cad).lexically_normal();
   if (!a.sequences.empty()) ReplaceSequences(a.sequences, matrix);
@@ -46,6 +46,7 @@ Matrix LoadMatrix(const ReproduceArguments& a) {
     KeepOnly(a.only, matrix);
     matrix.name += "-only";  // it is not to replace the whole
   }
+  CheckNamesDiffer(matrix);
   if (!a.name.empty()) matrix.name = a.name;
   if (fs::path(matrix.name).filename() != matrix.name || matrix.name == "latest")
     throw InputError(

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "base/text.h"
 #include "io/atomic_write.h"
@@ -28,8 +29,8 @@ std::string RetrievalText(const RunRetrieval& retrieval) {
   for (const ObjectInstances& found : retrieval.objects) {
     for (size_t i = 0; i < found.instances.size(); ++i) {
       const RetrievedInstance& instance = found.instances[i];
-      text += fmt::format("{},{},{},{},{}\n", retrieval.map.objects[found.object].id, i + 1,
-                          found.library->ids[static_cast<size_t>(instance.instance)],
+      text += fmt::format("{},{},{},{},{}\n", CsvField(retrieval.map.objects[found.object].id), i + 1,
+                          CsvField(found.library->ids[static_cast<size_t>(instance.instance)]),
                           Fixed(instance.distance, 6), FitFields(instance.fit));
     }
   }
@@ -44,12 +45,13 @@ std::string WithInstances(const std::filesystem::path& file,
   std::string text;
   bool is_header = true;
   for (const TextLine& line : ReadTextLines(file)) {
-    std::vector<std::string> fields = SplitFields(line.text);
+    std::vector<std::string> fields = SplitCsvFields(line.text);
     if (!is_header) {
       const auto found = of_object.find(fields[id]);
       fields[column] = found == of_object.end() ? "" : found->second;
     }
     is_header = false;
+    for (std::string& field : fields) field = CsvField(field);
     text += fmt::format("{}\n", fmt::join(fields, ","));
   }
   return text;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -12,12 +13,14 @@
 
 #include "app/run/photo_report.h"
 #include "association/detection.h"
+#include "base/console.h"
 #include "base/errors.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "cli/help.h"
 #include "drawing/overlay.h"
 #include "geometry/camera.h"
+#include "geometry/camera_faults.h"
 #include "geometry/rotation.h"
 #include "io/image.h"
 #include "pipeline/frame_pipeline.h"
@@ -62,10 +65,19 @@ Camera ParseCamera(const std::string& intrinsics, const std::string& distortion,
     throw InputError(fmt::format("{}: fx and fy have to be greater than 0", Where("--camera", intrinsics)));
   }
   Camera camera{width, height, k[0], k[1], k[2], k[3]};
-  if (distortion.empty()) return camera;
-  const std::vector<double> values =
-      Numbers("--distortion", distortion, 5, "k1,k2,p1,p2,k3, 0 where there is none");
-  std::copy(values.begin(), values.end(), camera.distortion.begin());
+  if (!distortion.empty()) {
+    const std::vector<double> values =
+        Numbers("--distortion", distortion, 5, "k1,k2,p1,p2,k3, 0 where there is none");
+    std::copy(values.begin(), values.end(), camera.distortion.begin());
+  }
+  for (const CameraFault& fault : FindCameraFaults(camera)) {
+    const bool is_distortion = fault.key == "distortion";
+    const std::string message = fmt::format(
+        "{}: {} {}", is_distortion ? Where("--distortion", distortion) : Where("--camera", intrinsics),
+        fault.key, fault.what);
+    if (fault.is_impossible) throw InputError(message);
+    Note("warning: " + message);
+  }
   return camera;
 }
 
@@ -87,7 +99,12 @@ Detection ParseDetection(const std::string& text, const Camera& camera,
   detection.box = {ParseNumber(fields[1], where), ParseNumber(fields[2], where),
                    ParseNumber(fields[3], where), ParseNumber(fields[4], where)};
   CheckBox(detection.box, camera, where);
-  if (fields.size() == 6) detection.azimuth = ParseNumber(fields[5], where) * kDegree;
+  if (fields.size() == 6) {
+    const double degrees = ParseNumber(fields[5], where);
+    if (std::abs(degrees) > 360)
+      throw InputError(fmt::format("{}: the azimuth is {:g}; write degrees, -360..360", where, degrees));
+    detection.azimuth = degrees * kDegree;
+  }
   return detection;
 }
 
