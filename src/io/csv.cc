@@ -10,6 +10,16 @@
 #include "base/nearest_name.h"
 
 namespace armature {
+namespace {
+
+constexpr size_t kMostColumns = 1000;  // tables of this project have at most 20
+
+size_t CountFields(const std::string& line) {
+  return static_cast<size_t>(std::count(line.begin(), line.end(), ',')) + 1;
+}
+
+}  // namespace
+
 const std::string& CsvRow::Text(const std::string& column) const {
   return fields_[table_->ColumnIndex(column)];
 }
@@ -31,18 +41,23 @@ std::string CsvRow::At(const std::string& message) const {
 CsvTable::CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns)
     : file_(std::move(file)) {
   for (const TextLine& line : ReadTextLines(file_)) {
-    std::vector<std::string> fields = SplitFields(line.text);
+    // Counted before it is split: a line may be all commas.
+    const size_t fields = CountFields(line.text);
     if (header_.empty()) {
       header_line_ = line.number;
-      header_ = std::move(fields);
+      if (fields > kMostColumns) {
+        throw InputError(fmt::format("{}:{}: a header of {} columns, at most {} are read; is this the table?",
+                                     file_.string(), line.number, fields, kMostColumns));
+      }
+      header_ = SplitFields(line.text);
       continue;
     }
-    if (fields.size() != header_.size()) {
+    if (fields != header_.size()) {
       throw InputError(
           fmt::format("{}:{}: {} fields where the header has {}; fill the row or leave fields empty",
-                      file_.string(), line.number, fields.size(), header_.size()));
+                      file_.string(), line.number, fields, header_.size()));
     }
-    rows_.emplace_back(this, line.number, std::move(fields));
+    rows_.emplace_back(this, line.number, SplitFields(line.text));
   }
   if (header_.empty()) {
     throw InputError(fmt::format("{}: has no header line; start it with '{}'", file_.string(),
@@ -63,8 +78,9 @@ bool CsvTable::HasColumn(const std::string& column) const {
 size_t CsvTable::ColumnIndex(const std::string& column) const {
   const auto found = std::find(header_.begin(), header_.end(), column);
   if (found == header_.end()) {
-    throw InputError(fmt::format("{}:{}: has no column '{}'; add it to the header {}", file_.string(),
-                                 header_line_, column, Quoted(fmt::format("{}", fmt::join(header_, ",")))));
+    throw InputError(fmt::format("{}:{}: has no column {}; add it to the header {}", file_.string(),
+                                 header_line_, Quoted(column),
+                                 Quoted(fmt::format("{}", fmt::join(header_, ",")))));
   }
   return static_cast<size_t>(found - header_.begin());
 }
