@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <span>
 
 #include "base/checksum.h"
@@ -169,6 +170,20 @@ TEST_F(BadLibraryFile, AnyNumberChangedUnderARightChecksum) {
       }
     }
   }
+}
+
+TEST_F(BadLibraryFile, OfNumbersThatCannotBe) {
+  const auto refuse = [&](const auto& spoil, const std::string& text) {
+    InstanceLibrary library = TwoCategories(folder_.path());
+    spoil(library);
+    WriteLibrary(library, folder_ / "spoilt");
+    ExpectRefused(ReadFile(folder_ / "spoilt"), text);
+  };
+  refuse([](InstanceLibrary& library) { library.categories[0].edges(2, 1) = NAN; }, "not finite");
+  refuse([](InstanceLibrary& library) { library.categories[0].sizes(1, 1) = -1; }, "below zero");
+  refuse([](InstanceLibrary& library) { library.categories[0].coefficients.conservativeResize(1, 7); },
+         "other shapes");
+  refuse([](InstanceLibrary& library) { library.categories.push_back(library.categories[0]); }, "twice");
 }
 
 TEST_F(BadLibraryFile, WhereNoneCanBeWritten) {

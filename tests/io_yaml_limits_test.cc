@@ -64,6 +64,10 @@ TEST_F(YamlFile, ControlCharactersAreRefusedInTheFileAndInItsTexts) {
   }
 }
 
+TEST_F(YamlFile, ATextMayStandBelowItsKeyOnOneLine) {
+  EXPECT_EQ(Load("about: >\n  a chair\n  and a table\n").Text("about"), "a chair and a table");
+}
+
 TEST_F(YamlFile, AKeyGivenTwiceIsRefused) {
   ExpectRefusedYaml("a: 1\nb: 2\na: 3\n", {"a.yaml", "'a'", "twice"});
 }

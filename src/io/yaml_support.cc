@@ -79,7 +79,8 @@ YAML::Node YamlMap::Value(const std::string& key) const {
 
 std::string YamlMap::ScalarText(const std::string& key, const YAML::Node& value) const {
   if (!value.IsScalar()) throw InputError(At(key, "has to be a single value; write 'key: value'"));
-  const std::string& text = value.Scalar();
+  std::string text = value.Scalar();
+  if (text.ends_with('\n')) text.pop_back();  // of a text written below its key, after '>' or '|'
   if (IsPrintable(text)) return text;
   throw InputError(At(key, fmt::format("is {}, with a line break or another control character; write a plain "
                                        "word",
