@@ -11,7 +11,9 @@
 namespace armature {
 namespace {
 
-constexpr double kStraight = 1e-9;  // of the polygon's extent, or its square: what rounding leaves
+constexpr double kStraight = 1e-9;  // of the extent, or its square: how far a convex polygon may bend inwards
+
+constexpr double kRounding = 1e-13;  // of the square of the extent: what is left of an area that is 0
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -43,8 +45,20 @@ double Turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+// Without those that stand where the one before stands: a turn at two such corners would not be seen at
+// either.
+Points WithoutRepeats(const Points& points) {
+  Points distinct;
+  for (const Eigen::Vector2d& point : points) {
+    if (distinct.empty() || (point - distinct.back()).norm() > kStraight) distinct.push_back(point);
+  }
+  while (distinct.size() > 1 && (distinct.back() - distinct.front()).norm() <= kStraight) distinct.pop_back();
+  return distinct;
+}
+
 // It turns to the left alone, and once: its edges change between forwards and backwards twice.
-bool IsConvex(const Points& points) {
+bool IsConvex(const Points& corners) {
+  const Points points = WithoutRepeats(corners);
   int changes = 0;
   double last = 0;
   const size_t n = points.size();
@@ -80,7 +94,7 @@ class EarCutter {
     while (left > 2) {
       if ((left & 0xFF) == 0) ThrowIfInterrupted();
       const double turn = TurnAt(corner);
-      const bool is_straight = std::abs(turn) <= kStraight * kStraight;
+      const bool is_straight = std::abs(turn) <= kRounding;
       if (is_straight || (turn > 0 && IsEar(corner, strictness))) {
         if (!is_straight) triangles_.push_back({previous_[corner], corner, next_[corner]});
         Remove(corner);
@@ -118,11 +132,11 @@ class EarCutter {
   bool IsEar(size_t corner, Strictness strictness) const {
     if (strictness == Strictness::kAnything) return true;
     const Eigen::Vector2d &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
-    const double border = strictness == Strictness::kNothingTouches ? -kStraight : kStraight;
+    const double border = strictness == Strictness::kNothingTouches ? -kRounding : kRounding;
     for (size_t other = next_[next_[corner]]; other != previous_[corner]; other = next_[other]) {
       const Eigen::Vector2d& p = points_[other];
       const bool is_in = Turn(a, b, p) >= border && Turn(b, c, p) >= border && Turn(c, a, p) >= border;
-      if (is_in && p != a && p != b && p != c && TurnAt(other) <= 0) return false;
+      if (is_in && p != a && p != b && p != c && TurnAt(other) <= kRounding) return false;
     }
     return true;
   }
