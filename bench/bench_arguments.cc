@@ -7,6 +7,8 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 #include "io/option_value.h"
 
 namespace armature {
@@ -28,23 +30,25 @@ Json ToJson(const std::vector<std::filesystem::path>& paths) {
 }
 
 template <typename Value>
-void FromJson(const Json& json, Value& value) {
-  value = json.get<Value>();
+void TakeField(const Json& json, const char* key, Value& value) {
+  value = JsonField<Value>(json, key);
 }
 
-void FromJson(const Json& json, std::filesystem::path& path) { path = json.get<std::string>(); }
+void TakeField(const Json& json, const char* key, std::filesystem::path& path) {
+  path = JsonField<std::string>(json, key);
+}
 
-void FromJson(const Json& json, std::vector<std::filesystem::path>& paths) {
-  const auto texts = json.get<std::vector<std::string>>();
+void TakeField(const Json& json, const char* key, std::vector<std::filesystem::path>& paths) {
+  const auto texts = JsonField<std::vector<std::string>>(json, key);
   paths.assign(texts.begin(), texts.end());
 }
 
 // A reference that is older than a setting was measured with its default.
 void TakeSetting(const Json& settings, const KeptArgument& kept, const std::filesystem::path& reference) {
-  if (!settings.empty() && !settings.contains(kept.setting)) return;
+  if (settings.is_object() && !settings.empty() && !settings.contains(kept.setting)) return;
   try {
-    std::visit([&](auto* field) { FromJson(settings.at(kept.setting), *field); }, kept.field);
-  } catch (const Json::exception&) {
+    std::visit([&](auto* field) { TakeField(settings, kept.setting, *field); }, kept.field);
+  } catch (const InputError&) {
     throw InputError(
         fmt::format("{}: its settings have no usable '{}'; give {} or write a new one with 'armature bench'",
                     reference.string(), kept.setting, kept.option));
@@ -90,8 +94,8 @@ Json SettingsJson(BenchArguments a, Options options) {
 }
 
 void TakeReferenceSettings(BenchArguments& a) {
-  const Json reference = Json::parse(ReadTextFile(a.against));
-  const Json settings = reference.value("settings", Json::object());
+  const Json reference = ReadJsonObject(a.against, "write a new one with 'armature bench'");
+  const Json settings = reference.contains("settings") ? reference["settings"] : Json::object();
   for (const KeptArgument& kept : KeptArguments(a)) {
     if (!a.given.contains(kept.setting)) TakeSetting(settings, kept, a.against);
   }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/console.h"
 #include "bench/bench_output.h"
 #include "bench/bench_plan.h"
 #include "bench/guard/regression_guard.h"
@@ -151,7 +152,7 @@ int RunBench(BenchArguments a) {
   const bool slower = reference && Guard(*reference, ListTablesOfSequences(plan), results);
   if (draw) WritePlots(results.report, plan.settings.objects, *folder);
   if (folder) WriteBench(results, *folder);
-  fmt::print("{}", BenchText(results, format));
+  PrintResult(BenchText(results, format));
   return slower ? kSlower : 0;
 }
 

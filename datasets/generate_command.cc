@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "base/console.h"
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "base/nearest_name.h"
@@ -94,7 +95,8 @@ std::vector<fs::path> ScenesToMake(const GenerateArguments& arguments) {
 }
 
 void Say(const Generated& generated, const std::string& what) {
-  fmt::print("{}: {}{}\n", generated.folder.string(), what, generated.is_new ? "" : " (there already)");
+  PrintResult(
+      fmt::format("{}: {}{}\n", generated.folder.string(), what, generated.is_new ? "" : " (there already)"));
 }
 
 // Shows the progress of one sequence.
@@ -119,7 +121,7 @@ void ShowOnOneSheet(const std::vector<Generated>& sequences, const fs::path& fil
   std::vector<fs::path> folders;
   for (const Generated& sequence : sequences) folders.push_back(sequence.folder);
   WritePicture(file, ContactSheet(folders));
-  fmt::print("{}: some of their pictures\n", file.string());
+  PrintResult(fmt::format("{}: some of their pictures\n", file.string()));
 }
 
 CommandHelp GenerateHelp() {

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
+
+#include "base/errors.h"
+#include "base/text.h"
 
 namespace armature {
 namespace {
@@ -36,8 +38,11 @@ void WriteStamp(const fs::path& folder, const std::string& stamp) {
 }
 
 bool HasStamp(const fs::path& folder, const std::string& stamp) {
-  std::ifstream stream(folder / kFile, std::ios::binary);
-  return stream && std::string(std::istreambuf_iterator<char>(stream), {}) == stamp;
+  try {
+    return ReadTextFile(folder / kFile) == stamp;
+  } catch (const InputError&) {  // none is there
+    return false;
+  }
 }
 
 Replaceable GeneratedFolders() {

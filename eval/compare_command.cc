@@ -175,7 +175,7 @@ int RunCompare(const CompareArguments& arguments, const CompareFolders& compare_
   const Comparison comparison = Compare(arguments, compare_benches);
   if (!arguments.raw.empty()) AtomicWrite(arguments.raw, RawPairColumns() + comparison.raw);
   for (const std::string& warning : comparison.warnings) Note("warning: " + warning);
-  fmt::print("{}", FormatTables(comparison.tables, format));
+  PrintResult(FormatTables(comparison.tables, format));
   return 0;
 }
 

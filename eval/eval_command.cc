@@ -203,7 +203,7 @@ int RunEval(EvalArguments arguments) {
   }
   const Evaluation made = MakeTables(arguments, format);
   if (folder) WriteEvaluation(arguments.runs, made, *folder);
-  fmt::print("{}", FormatTables(made.tables, format));
+  PrintResult(FormatTables(made.tables, format));
   for (const std::string& failure : made.failures) PrintError(failure);
   return made.failures.empty() ? 0 : 1;
 }

@@ -33,7 +33,7 @@ class AppPoseGraph : public ::testing::Test {
  protected:
   AppPoseGraph() : graph_(testing::TorusGraph(6, 12, 0.05)) {
     G2oFile g2o;
-    for (size_t i = 0; i < graph_.poses.size(); ++i) g2o.ids.push_back(static_cast<int>(i));
+    for (size_t i = 0; i < graph_.poses.size(); ++i) g2o.ids.push_back(std::to_string(i));
     for (const PoseGraphEdge& edge : graph_.edges) g2o.other_lines.push_back(EdgeLine(edge));
     WriteG2o(in(), g2o, testing::GarbagePoses(graph_));
   }
@@ -85,7 +85,37 @@ TEST_F(AppPoseGraph, RefusesBadInput) {
   ExpectBadInput({"posegraph", in(), "--out", folder_ / "none/out.g2o"}, {"none/out.g2o"});
   const auto bad = folder_.Write("bad.g2o", "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nEDGE_SE3 0 1\n");
   ExpectBadInput({"posegraph", bad, "--out", out()}, {"bad.g2o:2", "EDGE_SE3:QUAT"});
+  ExpectBadInput({"posegraph", in(), "--out", out(), "--loss", "Hubert"}, {"'Hubert'", "'huber'"});
+  ExpectBadInput({"posegraph", in(), "--out", out(), "--loss-scale", "0"}, {"--loss-scale", "0"});
+  ExpectBadInput({"posegraph", in(), "--out", out(), "--weights", "iso"}, {"'iso'", "'isotropic'"});
   EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(AppPoseGraph, ALineOfAFormFeedAloneIsBlank) {
+  const auto file = folder_.Write("blank.g2o", testing::ReadFile(in()) + "\f\n\v\n");
+  RunOk({"posegraph", file, "--out", out()});
+}
+
+// A wrong loop closure bends the square's solution and hardly that of a robust loss.
+TEST_F(AppPoseGraph, ARobustLossLeavesAsideAWrongEdge) {
+  PoseGraphEdge wrong{0, 36};
+  wrong.T_from_to.translation() = Eigen::Vector3d(30, -20, 10);
+  wrong.information = graph_.edges.front().information;
+  const auto file = folder_.Write("wrong.g2o", testing::ReadFile(in()) + EdgeLine(wrong) + "\n");
+  RunOk({"posegraph", in(), "--out", out()});
+  const std::vector<Eigen::Isometry3d> truth = ReadG2o(out()).graph.poses;
+  const auto largest_error = [&](const std::string& loss) {
+    RunOk({"posegraph", file, "--out", out(), "--init", "odometry", "--loss", loss});
+    const std::vector<Eigen::Isometry3d> poses = ReadG2o(out()).graph.poses;
+    double largest = 0;
+    for (size_t i = 0; i < poses.size(); ++i)
+      largest = std::max(largest, (poses[i].translation() - truth[i].translation()).norm());
+    return largest;
+  };
+  const double square = largest_error("square");
+  EXPECT_GT(square, 1);
+  EXPECT_LT(largest_error("huber"), 0.5 * square);
+  EXPECT_LT(largest_error("cauchy"), 0.02 * square);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "geometry/rotation.h"
 #include "io/g2o.h"
 #include "support/expect_input_error.h"
@@ -30,7 +32,7 @@ TEST(G2o, ReadsVerticesEdgesAndFixedOnes) {
   const TempFolder folder;
   const G2oFile g2o =
       ReadG2o(folder.Write("graph.g2o", "# a graph\n" + kEdge + "\n" + kVertices + "FIX 3\n"));
-  EXPECT_EQ(g2o.ids, (std::vector<int>{7, 3}));
+  EXPECT_EQ(g2o.ids, (std::vector<std::string>{"7", "3"}));
   ASSERT_EQ(g2o.graph.poses.size(), 2u);
   EXPECT_TRUE((g2o.graph.poses[0] * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(1, 3, 3), 1e-7));
   EXPECT_TRUE(g2o.graph.poses[1].isApprox(Eigen::Isometry3d::Identity(), 1e-12));
@@ -85,9 +87,68 @@ TEST(G2o, LeavesNothingBehindWhereItCannotWrite) {
   EXPECT_EQ(testing::AllFiles(folder.path()), (std::set<std::string>{"in.g2o", "taken", "taken/file"}));
 }
 
+TEST(G2o, KeepsIdsOf64Bits) {
+  const TempFolder folder;
+  std::string text = kVertices + kEdge;
+  for (const auto& [from, to] :
+       {std::pair{" 7 ", " 8646911284551352320 "}, {" 3 ", " 18446744073709551615 "}}) {
+    for (size_t at; (at = text.find(from)) != std::string::npos;) text.replace(at, std::strlen(from), to);
+  }
+  const G2oFile g2o = ReadG2o(folder.Write("graph.g2o", text + "FIX +8646911284551352320\n"));
+  EXPECT_EQ(g2o.ids, (std::vector<std::string>{"8646911284551352320", "18446744073709551615"}));
+  EXPECT_EQ(g2o.graph.fixed, std::vector<size_t>{0});
+  WriteG2o(folder / "out.g2o", g2o, g2o.graph.poses);
+  EXPECT_NE(testing::ReadFile(folder / "out.g2o").find("VERTEX_SE3:QUAT 18446744073709551615 0"),
+            std::string::npos);
+  ExpectRefused("VERTEX_SE3:QUAT 18446744073709551616 0 0 0 0 0 0 1\n" + kEdge,
+                {"graph.g2o:1", "whole number"});
+}
+
+TEST(G2o, LeavesOutOtherKindsOfLinesAndSaysSo) {
+  const TempFolder folder;
+  const std::string others = "PARAMS_SE3OFFSET 0 0 0 0 0 0 0 1\nEDGE_SE3_PRIOR 7 0 0 0 0 0 0 0 1" +
+                             kUnitInformation +
+                             "\nVERTEX_TRACKXYZ 20 1 2 3\nEDGE_SE3_TRACKXYZ 7 20 0 1 2 3 1 0 0 1 0 1\n"
+                             "EDGE_SE3_TRACKXYZ 3 20 0 1 2 3 1 0 0 1 0 1\nFIX 20\n";
+  const G2oFile g2o = ReadG2o(folder.Write("graph.g2o", kVertices + others + kEdge));
+  EXPECT_TRUE(g2o.graph.fixed.empty());
+  ASSERT_EQ(g2o.notes.size(), 4u);
+  EXPECT_NE(g2o.notes[0].find("1 line of PARAMS_SE3OFFSET left out, the first in line 3"), std::string::npos)
+      << g2o.notes[0];
+  EXPECT_NE(g2o.notes[1].find("EDGE_SE3_PRIOR"), std::string::npos);
+  EXPECT_NE(g2o.notes[3].find("2 lines of EDGE_SE3_TRACKXYZ"), std::string::npos) << g2o.notes[3];
+  WriteG2o(folder / "out.g2o", g2o, g2o.graph.poses);
+  EXPECT_TRUE(testing::ReadFile(folder / "out.g2o").ends_with(others + kEdge));
+  ExpectRefused("VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n",
+                {"graph.g2o", "no VERTEX_SE3:QUAT", "VERTEX_SE2"});
+}
+
+TEST(G2o, SaysWhichVertexNoInformationTies) {
+  const TempFolder folder;
+  const std::string zeros = " 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n";
+  const std::string third = "VERTEX_SE3:QUAT 9 0 0 0 0 0 0 1\nEDGE_SE3:QUAT 7 9 0 0 0 0 0 0 1";
+  const G2oFile g2o = ReadG2o(folder.Write("graph.g2o", kVertices + kEdge + third + zeros));
+  ASSERT_EQ(g2o.notes.size(), 1u);
+  for (const char* text : {"graph.g2o:4", "zero information", "vertex 9"})
+    EXPECT_NE(g2o.notes[0].find(text), std::string::npos) << g2o.notes[0];
+  EXPECT_TRUE(ReadG2o(folder.Write("tied.g2o", kVertices + kEdge + third + kUnitInformation)).notes.empty());
+}
+
+TEST(G2o, TakesIsotropicWeightsAlsoOfIndefiniteMatrices) {
+  const TempFolder folder;
+  const auto file = folder.Write("graph.g2o", kVertices +
+                                                  "EDGE_SE3:QUAT 7 3 0 0 0 0 0 0 1 "
+                                                  "1 0 0 9 9 9  2 0 9 9 9  6 9 9 9  4 8 0  4 0  4\n");
+  ExpectInputError([&] { ReadG2o(file); }, {"graph.g2o:3", "--weights isotropic"});
+  const Matrix6d information = ReadG2o(file, G2oWeights::kIsotropic).graph.edges[0].information;
+  Vector6d expected;
+  expected << Eigen::Vector3d::Constant(16.0 / 3), Eigen::Vector3d::Constant(3);  // eigenvalues 12, 4, -4
+  EXPECT_TRUE(information.isApprox(Matrix6d(expected.asDiagonal()), 1e-12)) << information;
+}
+
 TEST(G2o, RefusesUnknownTags) {
-  ExpectRefused(kVertices + kEdge + "VERTEX_SE2 1 0 0 0\n",
-                {"graph.g2o:4", "'VERTEX_SE2'", "VERTEX_SE3:QUAT"});
+  ExpectRefused(kVertices + kEdge + "VERTEX_SE3:QAUT 1 0 0 0\n",
+                {"graph.g2o:4", "'VERTEX_SE3:QAUT'", "VERTEX_SE3:QUAT"});
 }
 
 TEST(G2o, RefusesAnotherNumberOfFields) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <span>
+
+#include "base/checksum.h"
 #include "io/library_file.h"
 #include "support/expect_input_error.h"
 #include "support/frame_library.h"
@@ -142,6 +146,44 @@ TEST_F(BadLibraryFile, AnyByteChanged) {
     flipped[at] = static_cast<char>(flipped[at] ^ 16);
     ExpectRefused(flipped);
   }
+}
+
+// With a checksum that is right: nothing that it says is believed before it is looked at.
+TEST_F(BadLibraryFile, AnyNumberChangedUnderARightChecksum) {
+  const auto sealed = [](std::string content) {
+    content.resize(content.size() - sizeof(std::uint64_t));
+    const std::uint64_t sum = Checksum(std::as_bytes(std::span(content)));
+    content.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+    return content;
+  };
+  ASSERT_EQ(sealed(good_), good_);
+  const size_t header = good_.find("frame") == std::string::npos ? 120 : good_.find("frame") + 60;
+  for (const std::uint64_t absurd : {~std::uint64_t{0}, std::uint64_t{1} << 63, std::uint64_t{1} << 62,
+                                     std::uint64_t{1} << 40, std::uint64_t{0}}) {
+    for (size_t at = good_.find('\n') + 5; at + sizeof absurd < std::min(header, good_.size()); ++at) {
+      std::string content = good_;
+      content.replace(at, sizeof absurd, reinterpret_cast<const char*>(&absurd), sizeof absurd);
+      const fs::path file = folder_.Write("absurd" + std::to_string(at), sealed(content));
+      try {
+        ReadLibrary(file, {FrameModel(), Gates()});
+      } catch (const InputError&) {
+      }
+    }
+  }
+}
+
+TEST_F(BadLibraryFile, OfNumbersThatCannotBe) {
+  const auto refuse = [&](const auto& spoil, const std::string& text) {
+    InstanceLibrary library = TwoCategories(folder_.path());
+    spoil(library);
+    WriteLibrary(library, folder_ / "spoilt");
+    ExpectRefused(ReadFile(folder_ / "spoilt"), text);
+  };
+  refuse([](InstanceLibrary& library) { library.categories[0].edges(2, 1) = NAN; }, "not finite");
+  refuse([](InstanceLibrary& library) { library.categories[0].sizes(1, 1) = -1; }, "below zero");
+  refuse([](InstanceLibrary& library) { library.categories[0].coefficients.conservativeResize(1, 7); },
+         "other shapes");
+  refuse([](InstanceLibrary& library) { library.categories.push_back(library.categories[0]); }, "twice");
 }
 
 TEST_F(BadLibraryFile, WhereNoneCanBeWritten) {

@@ -207,6 +207,19 @@ TEST_F(SequenceTest, KeepsTheFirstOfRepeatedPosesOfOdometry) {
   EXPECT_EQ(sequence.T_odom_camera[0]->translation().x(), 1);
 }
 
+TEST_F(SequenceTest, AnImagesNameMayHaveAHashAndBlanks) {
+  std::filesystem::copy_file(folder_ / "rgb/0.png", folder_ / "rgb/frame #1.png");
+  std::filesystem::copy_file(folder_ / "rgb/0.png", folder_ / "rgb/frame#2.png");
+  folder_.Write("rgb.txt",
+                "# stamps\n0.0 rgb/frame #1.png\n0.1 rgb/frame#2.png # the second\n0.2 rgb/1.png # last\n");
+  const std::vector<ImageEntry> images = ReadImageList(folder_ / "rgb.txt");
+  ASSERT_EQ(images.size(), 3u);
+  EXPECT_EQ(images[0].file, folder_ / "rgb/frame #1.png");
+  EXPECT_EQ(images[1].file, folder_ / "rgb/frame#2.png");
+  EXPECT_EQ(images[2].file, folder_ / "rgb/1.png");
+  ExpectErrorWith("rgb.txt", "0.0 # none\n", {"rgb.txt:1", "timestamp filename"});
+}
+
 TEST_F(SequenceTest, ReportsBadDetections) {
   ExpectDetectionError("0.2,chair,5,6,20,30,0.9,,120,", {"csv:2", "elevation_deg 120", "-90..90"});
   ExpectDetectionError("0.2,chair,5,6,20,30,0.9,1000,,", {"csv:2", "azimuth_deg 1000"});

@@ -26,6 +26,35 @@ TEST_F(TextMesh, ObjMayHaveMoreNormalsThanVerticesAndWhatIsNotAMesh) {
   ExpectUnitSquare(Read("a.OBJ", text + "usemtl wood\ns off\nf 1//1 2//50 3//99 4//100 # all\n"));
 }
 
+TEST_F(TextMesh, ObjLinesMayGoOn) {
+  ExpectUnitSquare(Read("a.obj", "v 0 0 0\nv 1 \\\n 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\r\n\\\n 3 \\\n4\n"));
+  ExpectUnitSquare(Read("a.obj", kObjVertices + "f 1 2 3 4 \\"));
+  ExpectRefused("a.obj", kObjVertices + "f 1 2 \\\n 7\n", {"a.obj:5", "vertex 6"});
+}
+
+TEST_F(TextMesh, LinesOfBlanksOfAnyKindAreNothing) {
+  ExpectUnitSquare(Read("a.obj", "\f\n" + kObjVertices + "\v\n\f\v\nf 1 2 3 4\f\n"));
+  ExpectUnitSquare(Read("a.off", "OFF\n\f\n4 1 0\n" + kSquareVertices + "\v\n4 0 1 2 3\n"));
+  ExpectRefused("a.off", "OFF\n\f\n0 0 0\n", {"no face"});
+}
+
+TEST_F(TextMesh, OffMayHaveMoreAtItsVerticesAndBreakLinesAnywhere) {
+  const auto square = [](const std::string& head, const std::string& more) {
+    return head + "\n4 1 0\n0 0 0" + more + "\n1 0 0" + more + "\n1 1 0" + more + "\n0 1 0" + more +
+           "\n4 0 1 2 3 0.5 0.5\n";
+  };
+  ExpectUnitSquare(Read("a.off", square("COFF", " 255 0 0 255")));
+  ExpectUnitSquare(Read("a.off", square("COFF", " 0.5 0 0")));
+  ExpectUnitSquare(Read("a.off", square("NOFF", " 0 0 1")));
+  ExpectUnitSquare(Read("a.off", square("CNOFF", " 1 1 1 1 0 0 1")));
+  ExpectUnitSquare(Read("a.off", square("STOFF", " 0.1 0.2")));
+  ExpectUnitSquare(Read("a.off", "OFF 4 1 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3"));
+  ExpectUnitSquare(Read("a.off", "OFF\n4\n2\n5\n0 0 0 1 0 0\n1 1 0 0\n1 0\n3 0 1 2 3\n0 2 3\n"));
+  ExpectUnitSquare(Read("a.off", "NOFF 4 1 4 0 0 0 0 0 1 1 0 0 0 0 1 1 1 0 0 0 1 0 1 0 0 0 1 4 0 1 2 3"));
+  ExpectRefused("a.off", "OFF BINARY\n", {"binary"});
+  ExpectRefused("a.off", "4OFF\n1 1 0\n", {"three dimensions"});
+}
+
 TEST_F(TextMesh, ObjBadInput) {
   ExpectRefused("a.obj", "", {"no face"});
   ExpectRefused("a.obj", kObjVertices, {"no face"});
@@ -54,8 +83,8 @@ TEST_F(TextMesh, OffBadInput) {
   ExpectRefused("a.off", "OFF\n", {"ends after OFF"});
   ExpectRefused("a.off", "OFF\n4\n", {"a.off:2", "numbers of vertices, faces"});
   ExpectRefused("a.off", "OFF\n-4 2 0\n", {"a.off:2"});
-  ExpectRefused("a.off", "OFF\n2000000000 2000000000 0\n", {"2000000000", "only 0 lines"});
-  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices, {"only 4 lines"});
+  ExpectRefused("a.off", "OFF\n2000000000 2000000000 0\n", {"2000000000", "only 0 numbers"});
+  ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices, {"only 12 numbers"});
   ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "3 0 1 4\n", {"a.off:7", "vertex 4"});
   ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "5 0 1 2 3\n", {"a.off:7", "5 corners"});
   ExpectRefused("a.off", "OFF\n4 1 0\n" + kSquareVertices + "-1 0 1 2\n", {"a.off:7", "-1 corners"});

@@ -64,6 +64,22 @@ TEST(TextTable, CountsCharactersNotBytes) {
   EXPECT_EQ(FormatTable(table, TableFormat::kMarkdown), "| a     |\n| :-- |\n| ±1°   |\n| 12345 |\n");
 }
 
+TEST(TextTable, ShowsNoControlCharacters) {
+  const Table table{.title = "a\nb",
+                    .columns = {"\x1b[31mred"},
+                    .rows = {{TextCell("\x1b]0;title\x07")}},
+                    .notes = {"c\nd"}};
+  for (const TableFormat format :
+       {TableFormat::kText, TableFormat::kMarkdown, TableFormat::kCsv, TableFormat::kLatex}) {
+    const std::string text = FormatTable(table, format);
+    EXPECT_EQ(text.find_first_of("\x1b\x07"), std::string::npos) << text;
+    EXPECT_NE(text.find("a?b"), std::string::npos) << text;
+    EXPECT_NE(text.find("c?d"), std::string::npos) << text;
+  }
+  const auto json = nlohmann::json::parse(FormatTable(table, TableFormat::kJson));
+  EXPECT_EQ(json["title"], "a\nb");
+}
+
 TEST(TextTable, KnowsItsFormats) {
   EXPECT_EQ(TableFormatFromName("latex"), TableFormat::kLatex);
   testing::ExpectInputError([] { TableFormatFromName("markdwon"); }, {"'markdwon'", "'markdown'"});

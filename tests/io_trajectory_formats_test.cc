@@ -87,6 +87,20 @@ TEST_F(TrajectoryFormats, ReportLinesThatAreNoPose) {
   ExpectInputError([&] { ReadTrajectory(folder_ / "nowhere.txt"); }, {"nowhere.txt", "cannot be opened"});
 }
 
+TEST_F(TrajectoryFormats, AHeaderWithoutItsMarkIsCalledOne) {
+  ExpectError(std::string("timestamp tx ty tz qx qy qz qw\n") + kTum, {"t.txt:1", "header line", "'#'"});
+  ExpectError(std::string("timestamp,px,py,pz,qw,qx,qy,qz\n") + kEuroc, {"t.txt:1", "header line"});
+  ExpectError(std::string(kTum) + "timestamp tx ty tz qx qy qz qw\n", {"t.txt:2", "'timestamp'"});
+}
+
+TEST_F(TrajectoryFormats, NumbersMayBeWrittenAsOthersDo) {
+  const auto poses = Read("\f\n+5.5 1D0 2.0d+0 3 1e-400 0 +0.70710678\v0.70710678\r\n\v\n");
+  ASSERT_EQ(poses.size(), 1u);
+  EXPECT_TRUE(poses[0].pose.isApprox(QuarterTurn(), 1e-8));
+  ExpectError("5 1e400 2 3 0 0 0 1\n", {"t.txt:1", "too large"});
+  ExpectError(std::string(1'000'000, ','), {"t.txt:1", "1000000 commas"});
+}
+
 TEST_F(TrajectoryFormats, ReportWhatIsNoRotation) {
   ExpectError("5 1 2 3 0 0 0 0.9\n", {"t.txt:1", "length 0.9", "qx qy qz qw"});
   ExpectError("5 1 2 3 0 0 0 0\n", {"t.txt:1", "length 0"});

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <span>
+
+#include "base/checksum.h"
+#include "base/errors.h"
 #include "geometry/random.h"
 #include "io/index_file.h"
 #include "support/expect_input_error.h"
@@ -72,6 +77,45 @@ TEST_P(SavedIndex, ADamagedFileIsRefused) {
   expect_refused(good + '\n');
   expect_refused("");
   EXPECT_NO_THROW(ReadIndex(folder / "index", features, method));
+}
+
+// With a checksum that is right: the structure is refused, or one that can be searched.
+TEST_P(SavedIndex, AnyByteChangedUnderARightChecksumIsRefusedOrDoesNoHarm) {
+  const TempFolder folder;
+  const Eigen::MatrixXf features = SavedFeatures(60);
+  const IndexMethod method = SavedMethod(GetParam());
+  WriteIndex(InstanceIndex(features, method), folder / "index");
+  const std::string good = ReadFile(folder / "index");
+  const size_t seal = good.find("payload "), start = good.find('\n', seal) + 1;
+  const auto sealed = [&](const std::string& payload) {
+    return good.substr(0, seal) +
+           fmt::format("payload {} bytes, checksum {:016x}\n", payload.size(),
+                       Checksum(std::as_bytes(std::span(payload)))) +
+           payload;
+  };
+  const std::string payload = good.substr(start);
+  ASSERT_EQ(sealed(payload), good);
+  int files = 0, refused = 0;
+  const auto read = [&](const std::string& changed) {
+    const auto file = folder.Write("changed" + std::to_string(++files), sealed(changed));
+    try {
+      const InstanceIndex index = ReadIndex(file, features, method);
+      for (const Neighbour& neighbour : index.Nearest(features.col(7), 5)) EXPECT_LT(neighbour.instance, 60);
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_NE(std::string(error.what()).find("armature retrieve --build"), std::string::npos);
+    }
+  };
+  for (size_t at = 0; at < payload.size(); at += at < 200 ? 1 : 1 + payload.size() / 300) {
+    for (const int bits : {1, 64, 255}) {
+      std::string changed = payload;
+      changed[at] = static_cast<char>(changed[at] ^ bits);
+      read(changed);
+    }
+  }
+  for (size_t size = 0; size < payload.size(); size += 1 + payload.size() / 50) read(payload.substr(0, size));
+  read(payload + payload);
+  EXPECT_GT(refused, 100);
 }
 
 TEST_P(SavedIndex, OtherFeaturesAreRefused) {

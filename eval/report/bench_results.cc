@@ -10,6 +10,8 @@
 #include "base/errors.h"
 #include "eval/report/table_json.h"
 #include "io/bench_record.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 #include "io/named_span.h"
 
 namespace armature {
@@ -23,9 +25,9 @@ constexpr double kLogarithmicTimes = 30, kLogarithmicSizes = 100;  // largest by
 
 // Curves over the same axes of one sequence share a plot.
 Plot& FindPlot(const Json& series, std::vector<TimeCurves>& all) {
-  const auto sequence = series.at("sequence").get<std::string>();
-  const auto x_label = series.at("x_label").get<std::string>();
-  const auto y_label = series.at("y_label").get<std::string>();
+  const auto sequence = JsonField<std::string>(series, "sequence");
+  const auto x_label = JsonField<std::string>(series, "x_label");
+  const auto y_label = JsonField<std::string>(series, "y_label");
   for (TimeCurves& curves : all) {
     if (curves.sequence == sequence && curves.plot.x_label == x_label && curves.plot.y_label == y_label)
       return curves.plot;
@@ -49,13 +51,13 @@ bool IsLogarithmic(const Plot& plot, std::vector<double> PlotSeries::*values, do
 
 std::vector<TimeCurves> MakeCurves(const Json& bench) {
   std::vector<TimeCurves> all;
-  for (const Json& series : bench.at("series")) {
-    PlotSeries curve{.name = series.at("contender").get<std::string>()};
-    for (const Json& point : series.at("points")) {
-      curve.x.push_back(point.at("x").get<double>());
-      curve.y.push_back(point.at("median").get<double>());
-      curve.low.push_back(point.at("p10").get<double>());
-      curve.high.push_back(point.at("p90").get<double>());
+  for (const Json& series : JsonList(bench, "series")) {
+    PlotSeries curve{.name = JsonField<std::string>(series, "contender")};
+    for (const Json& point : JsonList(series, "points")) {
+      curve.x.push_back(JsonField<double>(point, "x"));
+      curve.y.push_back(JsonField<double>(point, "median"));
+      curve.low.push_back(JsonField<double>(point, "p10"));
+      curve.high.push_back(JsonField<double>(point, "p90"));
     }
     FindPlot(series, all).series.push_back(std::move(curve));
   }
@@ -67,24 +69,22 @@ std::vector<TimeCurves> MakeCurves(const Json& bench) {
 }
 
 std::vector<std::pair<std::string, std::string>> ListEnvironment(const Json& environment) {
-  const Json& git = environment.at("git");
-  return {{"benchmark: machine", fmt::format("{}, {} cores", environment.at("cpu").get<std::string>(),
-                                             environment.at("cores").get<int>())},
-          {"benchmark: threads", fmt::format("{}", environment.at("threads").get<int>())},
+  const Json& git = JsonObject(environment, "git");
+  const auto text = [&](const char* key) { return JsonField<std::string>(environment, key); };
+  const auto count = [&](const char* key) { return JsonField<int>(environment, key); };
+  return {{"benchmark: machine", fmt::format("{}, {} cores", text("cpu"), count("cores"))},
+          {"benchmark: threads", fmt::format("{}", count("threads"))},
           {"benchmark: commit",
-           git.at("commit").get<std::string>() + (git.at("dirty").get<bool>() ? ", modified" : "")},
-          {"benchmark: compiler", fmt::format("{}, {}", environment.at("compiler").get<std::string>(),
-                                              environment.at("flags").get<std::string>())}};
+           JsonField<std::string>(git, "commit") + (JsonField<bool>(git, "dirty") ? ", modified" : "")},
+          {"benchmark: compiler", fmt::format("{}, {}", text("compiler"), text("flags"))}};
 }
 
-BenchResults ReadResults(const Json& json, const std::filesystem::path& file) {
+BenchResults ReadResults(const Json& json) {
   BenchResults results;
-  results.tables = TablesFromJson(json.at("tables"), file.string());
-  results.spans = ReadBenchRecord(file).spans;
-  for (const Json& ratio : json.at("ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
+  for (const Json& ratio : JsonList(json, "ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
   results.curves = MakeCurves(json);
-  results.objects = json.at("settings").at("objects").get<size_t>();
-  results.environment = ListEnvironment(json.at("environment"));
+  results.objects = JsonField<size_t>(JsonObject(json, "settings"), "objects");
+  results.environment = ListEnvironment(JsonObject(json, "environment"));
   return results;
 }
 
@@ -116,14 +116,18 @@ double& GetValue(const std::string& engine, const std::string& stage, StackedBar
 
 BenchResults ReadBenchResults(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "bench.json";
-  const Json json = ReadJson(file, kBenchRemedy);
-  if (!json.is_object() || !json.contains("complete") || json["complete"] != true)
+  const Json json = ReadJsonObject(file, kBenchRemedy);
+  if (!json.contains("complete") || json["complete"] != true)
     throw InputError(fmt::format("{}: is not a finished benchmark; {}", file.string(), kBenchRemedy));
+  BenchResults results;
   try {
-    return ReadResults(json, file);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is malformed ({}); {}", file.string(), error.what(), kBenchRemedy));
+    results = ReadResults(json);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}; {}", file.string(), error.what(), kBenchRemedy));
   }
+  results.tables = TablesFromJson(json.contains("tables") ? json["tables"] : Json(), file.string());
+  results.spans = ReadBenchRecord(file).spans;
+  return results;
 }
 
 std::vector<StageBars> MakeStageBars(const BenchResults& bench) {

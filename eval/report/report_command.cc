@@ -88,8 +88,8 @@ int RunReport(const ReportArguments& arguments) {
   const std::string page = ReportPage(data);
   AtomicWrite(arguments.out, page);
   for (const std::string& remark : data.remarks) Note(remark);
-  fmt::print("{}: the report, {:.1f} MB, opens in any browser without a network\n", arguments.out.string(),
-             static_cast<double>(page.size()) / 1e6);
+  PrintResult(fmt::format("{}: the report, {:.1f} MB, opens in any browser without a network\n",
+                          arguments.out.string(), static_cast<double>(page.size()) / 1e6));
   return 0;
 }
 

@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/report/report_page.h"
+#include "io/json_fields.h"
 
 // Of a struct the fields that are named, in this order; nlohmann's own macro sorts them.
-#define ARMATURE_JSON_FIELDS(Type, ...)                                      \
+#define ARMATURE_REPORT_FIELDS(Type, ...)                                    \
   template <typename Json>                                                   \
   void to_json(Json& nlohmann_json_j, const Type& nlohmann_json_t) {         \
     NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(NLOHMANN_JSON_TO, __VA_ARGS__)) \
@@ -21,14 +22,6 @@ double Rounded(double metres) { return std::round(metres * 1e4) / 1e4; }
 }  // namespace armature
 
 namespace nlohmann {
-
-template <typename Value>
-struct adl_serializer<std::optional<Value>> {
-  template <typename Json>
-  static void to_json(Json& json, const std::optional<Value>& value) {
-    json = value ? Json(*value) : Json(nullptr);
-  }
-};
 
 // Points in metres.
 template <int kSize>
@@ -85,17 +78,17 @@ void to_json(Json& json, const TriangleMesh& mesh) {
 }
 
 // What stands in the page's HTML, such as pictures, is not here again.
-ARMATURE_JSON_FIELDS(HeadlineFigure, label, ours, paper, ours_value, paper_value, remark)
-ARMATURE_JSON_FIELDS(MapLayer::Object, id, category, footprint, front, error_m)
-ARMATURE_JSON_FIELDS(MapLayer, name, trajectory, objects)
-ARMATURE_JSON_FIELDS(TopDownMap, sequence, truth, estimates, note)
-ARMATURE_JSON_FIELDS(OverlayFrame, sequence, run, timestamp, caption)
-ARMATURE_JSON_FIELDS(RetrievalStrip::Model, name, detail, is_true)
-ARMATURE_JSON_FIELDS(RetrievalStrip, sequence, run, object, true_model, models)
-ARMATURE_JSON_FIELDS(SceneView::Object, id, category, model, wireframe, true_box, cad)
-ARMATURE_JSON_FIELDS(SceneView, sequence, run, up, path, true_path, cameras, objects)
-ARMATURE_JSON_FIELDS(ReportData, title, remarks, headline, tables, maps, overlays, strips, scenes,
-                     environment)
+ARMATURE_REPORT_FIELDS(HeadlineFigure, label, ours, paper, ours_value, paper_value, remark)
+ARMATURE_REPORT_FIELDS(MapLayer::Object, id, category, footprint, front, error_m)
+ARMATURE_REPORT_FIELDS(MapLayer, name, trajectory, objects)
+ARMATURE_REPORT_FIELDS(TopDownMap, sequence, truth, estimates, note)
+ARMATURE_REPORT_FIELDS(OverlayFrame, sequence, run, timestamp, caption)
+ARMATURE_REPORT_FIELDS(RetrievalStrip::Model, name, detail, is_true)
+ARMATURE_REPORT_FIELDS(RetrievalStrip, sequence, run, object, true_model, models)
+ARMATURE_REPORT_FIELDS(SceneView::Object, id, category, model, wireframe, true_box, cad)
+ARMATURE_REPORT_FIELDS(SceneView, sequence, run, up, path, true_path, cameras, objects)
+ARMATURE_REPORT_FIELDS(ReportData, title, remarks, headline, tables, maps, overlays, strips, scenes,
+                       environment)
 
 nlohmann::ordered_json ReportJson(const ReportData& data) { return data; }
 

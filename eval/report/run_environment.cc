@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "eval/report/table_json.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
@@ -16,35 +17,38 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kRunRemedy = "run `armature run` again";
 
+// ", modified" where the git state says so.
+std::string CommitText(const Json& git) {
+  return JsonField<std::string>(git, "commit") + (JsonFieldOr(git, "dirty", false) ? ", modified" : "");
+}
+
 // Runs of older programs may lack some of it.
-void AddMachineAndVersions(const Json& summary, EnvironmentEntries& entries) {
-  if (summary.contains("git")) {
-    entries.emplace_back("commit", summary["git"].at("commit").get<std::string>() +
-                                       (summary["git"].value("dirty", false) ? ", modified" : ""));
-  }
+EnvironmentEntries ReadEntries(const Json& summary) {
+  EnvironmentEntries entries;
+  if (summary.contains("version"))
+    entries.emplace_back("armature", JsonField<std::string>(summary, "version"));
+  if (summary.contains("git")) entries.emplace_back("commit", CommitText(JsonObject(summary, "git")));
   if (summary.contains("machine")) {
-    entries.emplace_back("machine",
-                         fmt::format("{}, {} cores", summary["machine"].at("cpu").get<std::string>(),
-                                     summary["machine"].at("cores").get<int>()));
+    const Json& machine = JsonObject(summary, "machine");
+    entries.emplace_back("machine", fmt::format("{}, {} cores", JsonField<std::string>(machine, "cpu"),
+                                                JsonField<int>(machine, "cores")));
   }
-  if (!summary.contains("versions")) return;
-  for (const auto& [name, version] : summary["versions"].items())
-    entries.emplace_back(name, version.get<std::string>());
+  if (!summary.contains("versions")) return entries;
+  for (const auto& [name, version] : JsonObject(summary, "versions").items())
+    entries.emplace_back(name, JsonAs<std::string>(version, Quoted("versions." + name)));
+  return entries;
 }
 
 }  // namespace
 
 EnvironmentEntries RunEnvironment(const std::filesystem::path& run) {
   const std::filesystem::path file = run / "summary.json";
-  const Json summary = ReadJson(file, kRunRemedy);
-  EnvironmentEntries entries;
+  const Json summary = ReadJsonObject(file, kRunRemedy);
   try {
-    if (summary.contains("version")) entries.emplace_back("armature", summary["version"].get<std::string>());
-    AddMachineAndVersions(summary, entries);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is malformed ({}); {}", file.string(), error.what(), kRunRemedy));
+    return ReadEntries(summary);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}; {}", file.string(), error.what(), kRunRemedy));
   }
-  return entries;
 }
 
 void MergeEnvironment(const EnvironmentEntries& more, EnvironmentEntries& all) {

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
@@ -87,12 +88,6 @@ std::vector<Table> TablesFromJson(const Json& json, const std::string& where) {
   std::vector<Table> tables;
   for (const Json& table : json) tables.push_back(TableFromJson(table, where));
   return tables;
-}
-
-Json ReadJson(const std::filesystem::path& file, const std::string& remedy) {
-  Json json = Json::parse(ReadTextFile(file), nullptr, false);
-  if (json.is_discarded()) throw InputError(fmt::format("{}: is not JSON; {}", file.string(), remedy));
-  return json;
 }
 
 std::vector<Table> ReadTables(const std::filesystem::path& file) {

@@ -16,10 +16,6 @@ namespace armature {
 // starting with `where`, for anything else.
 std::vector<Table> TablesFromJson(const nlohmann::ordered_json& json, const std::string& where);
 
-// The file's one value; `remedy` ends the message where it is not JSON. Throws InputError, also when the file
-// cannot be read.
-nlohmann::ordered_json ReadJson(const std::filesystem::path& file, const std::string& remedy);
-
 // The same of a file; also of one that keeps its tables in a member "tables", as eval.json and bench.json do.
 // Throws InputError.
 std::vector<Table> ReadTables(const std::filesystem::path& file);

@@ -14,7 +14,7 @@ constexpr std::uint64_t kSurfaceSeed = 1;
 
 bool HasSurface(const InstanceLibrary& library, const CategoryInstances& instances, int instance) {
   const std::string& geometry = instances.geometries[static_cast<size_t>(instance)];
-  return !geometry.empty() && std::filesystem::exists(library.root / geometry.substr(0, geometry.rfind('#')));
+  return !geometry.empty() && HasGeometry(library.root / geometry);
 }
 
 std::optional<SurfacePoints> FindSurface(const InstanceLibrary& library, const CategoryInstances& instances,

@@ -9,9 +9,12 @@
 namespace armature {
 
 struct PoseGraphArguments {
-  std::filesystem::path graph;  // g2o
-  std::filesystem::path out;    // g2o file to write
-  std::string init = "auto";    // start of the iterations: auto, file, odometry, chordal
+  std::filesystem::path graph;   // g2o
+  std::filesystem::path out;     // g2o file to write
+  std::string init = "auto";     // start of the iterations: auto, file, odometry, chordal
+  std::string weights = "full";  // information of the edges: full, isotropic
+  std::string loss = "square";   // square, huber, cauchy
+  double loss_scale = 1;         // standard deviations
   int max_iterations = 100;
   bool json = false;
 };

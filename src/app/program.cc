@@ -12,15 +12,14 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/failure.h"
 #include "base/console.h"
-#include "base/errors.h"
 #include "base/interrupt.h"
 #include "base/nearest_name.h"
 
 namespace armature {
 namespace {
 
-constexpr int kFailed = 1;
 constexpr int kBadInput = 2;
 
 int Report(std::string message, int status) {
@@ -29,9 +28,9 @@ int Report(std::string message, int status) {
 }
 
 // A signal reaches child processes, too: what they then fail at is no failure of ours.
-int ReportFailure(const std::exception& error) {
-  if (InterruptSignal() == 0) return Report(error.what(), kFailed);
-  return Report(fmt::format("interrupted: {}", error.what()), SignalExitStatus(InterruptSignal()));
+int ReportFailure(const Failure& failure) {
+  if (InterruptSignal() == 0 || failure.status == kBadInput) return Report(failure.line, failure.status);
+  return Report(fmt::format("interrupted: {}", failure.line), SignalExitStatus(InterruptSignal()));
 }
 
 // "armature rnu ...": the command that was probably meant.
@@ -71,12 +70,10 @@ int RunArmature(int argc, char** argv) {
     return exit_status;
   } catch (const CLI::ParseError& error) {
     return ReportUsage(app, error, {argv + 1, argv + argc});
-  } catch (const InputError& error) {
-    return Report(error.what(), kBadInput);
   } catch (const Interrupted& error) {
     return Report(error.what(), SignalExitStatus(InterruptSignal()));
-  } catch (const std::exception& error) {
-    return ReportFailure(error);
+  } catch (...) {
+    return ReportFailure(DescribeFailure(std::current_exception()));
   }
 }
 

@@ -12,6 +12,8 @@
 #include <mutex>
 #include <set>
 
+#include "base/printable.h"
+
 namespace armature {
 namespace {
 
@@ -20,7 +22,9 @@ Verbosity program_verbosity = Verbosity::kNormal;
 // A bar of progress may be on the line.
 const char* LineStart() { return StandardErrorScreen().is_terminal ? "\r\x1b[K" : ""; }
 
-void PrintLine(std::string_view line) { fmt::print(stderr, "{}armature: {}\n", LineStart(), line); }
+void PrintLine(std::string_view line) {
+  fmt::print(stderr, "{}armature: {}\n", LineStart(), Printable(line));
+}
 
 bool IsSet(const char* variable) {
   const char* value = std::getenv(variable);
@@ -51,8 +55,11 @@ void Detail(std::string_view line) {
 void PrintError(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
   const bool red = StandardErrorScreen().colour;
-  fmt::print(stderr, "{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", line, red ? "\x1b[0m" : "");
+  fmt::print(stderr, "{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", Printable(line),
+             red ? "\x1b[0m" : "");
 }
+
+void PrintResult(std::string_view text) { fmt::print("{}", PrintableLines(text)); }
 
 StepDetail::StepDetail(std::string what) : what_(std::move(what)), exceptions_(std::uncaught_exceptions()) {}
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one door to standard error: notes, details and errors, a line each. Results go to standard output.
+// The doors to standard error (notes, details and errors, a line each) and to standard output (results). What
+// others named may stand in any of them: it is printed as printable.h has it.
 #pragma once
 
 #include <chrono>
@@ -30,6 +31,9 @@ void Detail(std::string_view line);
 
 // "armature: LINE" whatever the verbosity, red on a terminal; line breaks become spaces.
 void PrintError(std::string line);
+
+// Lines for standard output, as they are.
+void PrintResult(std::string_view text);
 
 // A Detail with the seconds of a step, told when the step ends well.
 class StepDetail {

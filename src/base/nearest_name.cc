@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <string_view>
 
 #include "base/text.h"
 
@@ -14,6 +16,15 @@ namespace {
 constexpr size_t kMostListed = 12;
 
 constexpr int kOtherGroup = 3;  // edits that the right last part in the wrong group counts as
+
+constexpr size_t kMostCompared = 100;  // characters; the rest of a longer name says no more
+
+// What a name is compared by: its start, in small letters.
+std::string Compared(const std::string& name) {
+  std::string compared = name.substr(0, kMostCompared);
+  for (char& c : compared) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return compared;
+}
 
 std::string LastPart(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
@@ -26,29 +37,29 @@ int DistanceToKnown(const std::string& name, const std::string& known) {
 
 }  // namespace
 
-int EditDistance(const std::string& a, const std::string& b) {
-  const size_t columns = b.size() + 1;
-  std::vector<std::vector<int>> cost(a.size() + 1, std::vector<int>(columns, 0));
-  for (size_t i = 0; i <= a.size(); ++i) {
-    for (size_t j = 0; j < columns; ++j) {
-      if (i == 0 || j == 0) {
-        cost[i][j] = static_cast<int>(i + j);
-        continue;
-      }
-      cost[i][j] = std::min(
-          {cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+int EditDistance(std::string_view a, std::string_view b) {
+  // Three rows of the table: the last but one, the last, and the one that is filled.
+  std::vector<int> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    std::swap(before, above);
+    std::swap(above, row);
+    row[0] = static_cast<int>(i);
+    for (size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
-  return cost[a.size()][b.size()];
+  return row[b.size()];
 }
 
 std::string NearestName(const std::string& name, const std::vector<std::string>& known) {
+  const std::string shortened = Compared(name);
   std::string nearest;
   int least = std::numeric_limits<int>::max();
   for (const std::string& candidate : known) {
-    const int distance = DistanceToKnown(name, candidate);
+    const int distance = DistanceToKnown(shortened, Compared(candidate));
     if (distance < least) {
       least = distance;
       nearest = candidate;

@@ -7,6 +7,8 @@
 #include <iostream>
 #include <optional>
 
+#include "base/printable.h"
+
 namespace armature {
 namespace {
 
@@ -35,7 +37,7 @@ std::string BarText(long done, long total, long columns, bool colour) {
 Progress::Progress(std::string what, long total) : Progress(std::move(what), total, StandardError()) {}
 
 Progress::Progress(std::string what, long total, ProgressScreen screen)
-    : what_(std::move(what)), total_(total), out_(std::move(screen)) {
+    : what_(Printable(what)), total_(total), out_(std::move(screen)) {
   if (total_ <= 0) out_.stream = nullptr;
   if (out_.stream != nullptr && out_.screen.is_terminal) DrawBar("");
 }
@@ -71,7 +73,7 @@ void Progress::DrawBar(const std::string& time) {
   const long for_bar = columns - static_cast<long>(what_.size() + count.size());
   const std::string start = what_ + BarText(done_, total_, for_bar, out_.screen.colour);
   const std::string line =
-      for_bar < 0 ? (what_ + count).substr(0, static_cast<size_t>(columns)) : start + count;
+      for_bar < 0 ? std::string(FirstBytes(what_ + count, static_cast<size_t>(columns))) : start + count;
   *out_.stream << '\r' << line << "\x1b[K" << std::flush;
   drawn_ = Clock::now();
 }

@@ -8,6 +8,8 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
@@ -15,20 +17,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchema = 1;
-constexpr const char* kRemedy = "write a new one with 'armature bench'";
+constexpr const char* kBenchRemedy = "write a new one with 'armature bench'";
 
 SpanStatistics StatisticsFrom(const Json& json) {
   SpanStatistics s;
-  s.n = json.at("n").get<size_t>();
-  s.mean = json.at("mean").get<double>();
-  s.deviation = json.at("std").get<double>();
-  s.median = json.at("median").get<double>();
-  s.p10 = json.at("p10").get<double>();
-  s.p90 = json.at("p90").get<double>();
-  s.p99 = json.at("p99").get<double>();
-  s.max = json.at("max").get<double>();
-  s.median_low = json.at("median_low").get<double>();
-  s.median_high = json.at("median_high").get<double>();
+  s.n = JsonField<size_t>(json, "n");
+  s.mean = JsonField<double>(json, "mean");
+  s.deviation = JsonField<double>(json, "std");
+  s.median = JsonField<double>(json, "median");
+  s.p10 = JsonField<double>(json, "p10");
+  s.p90 = JsonField<double>(json, "p90");
+  s.p99 = JsonField<double>(json, "p99");
+  s.max = JsonField<double>(json, "max");
+  s.median_low = JsonField<double>(json, "median_low");
+  s.median_high = JsonField<double>(json, "median_high");
   return s;
 }
 
@@ -42,20 +44,20 @@ Json NamedSpanJson(const NamedSpan& span) {
 }
 
 NamedSpan SpanFrom(const Json& json) {
-  return {json.at("table").get<std::string>(), json.at("sequence").get<std::string>(),
-          json.at("contender").get<std::string>(), json.at("stage").get<std::string>(), StatisticsFrom(json)};
+  return {JsonField<std::string>(json, "table"), JsonField<std::string>(json, "sequence"),
+          JsonField<std::string>(json, "contender"), JsonField<std::string>(json, "stage"),
+          StatisticsFrom(json)};
 }
 
 InputError Unusable(const std::filesystem::path& file, const std::string& why) {
-  return InputError(fmt::format("{}: {}; {}", file.string(), why, kRemedy));
+  return InputError(fmt::format("{}: {}; {}", file.string(), why, kBenchRemedy));
 }
 
-BenchRecord RecordFrom(const Json& json, const std::filesystem::path& file) {
-  if (!json.at("spans").is_array()) throw Unusable(file, "'spans' is no list");
+BenchRecord RecordFrom(const Json& json) {
   BenchRecord record;
-  record.cpu = json.at("environment").at("cpu").get<std::string>();
-  record.calibration = StatisticsFrom(json.at("calibration_ms"));
-  for (const Json& span : json.at("spans")) record.spans.push_back(SpanFrom(span));
+  record.cpu = JsonField<std::string>(JsonObject(json, "environment"), "cpu");
+  record.calibration = StatisticsFrom(JsonObject(json, "calibration_ms"));
+  for (const Json& span : JsonList(json, "spans")) record.spans.push_back(SpanFrom(span));
   return record;
 }
 
@@ -104,8 +106,8 @@ Json NamedRatioJson(const NamedRatio& ratio) {
 }
 
 NamedRatio NamedRatioFromJson(const Json& json) {
-  return {json.at("table").get<std::string>(), json.at("sequence").get<std::string>(),
-          json.at("contender").get<std::string>(), json.at("reference").get<std::string>(),
+  return {JsonField<std::string>(json, "table"), JsonField<std::string>(json, "sequence"),
+          JsonField<std::string>(json, "contender"), JsonField<std::string>(json, "reference"),
           StatisticsFrom(json)};
 }
 
@@ -118,17 +120,13 @@ void AddBenchRecord(const BenchRecord& record, Json& json) {
 }
 
 BenchRecord ReadBenchRecord(const std::filesystem::path& file) {
-  const std::string text = ReadTextFile(file);
+  const Json json = ReadJson(file, kBenchRemedy);
+  CheckSchema(json, file);
   BenchRecord record;
   try {
-    const Json json = Json::parse(text);
-    CheckSchema(json, file);
-    record = RecordFrom(json, file);
-  } catch (const Json::parse_error& error) {
-    throw Unusable(file, fmt::format("is not JSON from byte {} on", error.byte));
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();  // "[json.exception...] and what is wrong"
-    throw Unusable(file, what.substr(what.find("] ") + 2));
+    record = RecordFrom(json);
+  } catch (const InputError& error) {
+    throw Unusable(file, error.what());
   }
   CheckRecord(record, file);
   return record;

@@ -5,12 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/csv_fields.h"
 #include "base/errors.h"
 #include "base/nearest_name.h"
 
 namespace armature {
+namespace {
+
+constexpr size_t kMostColumns = 1000;  // tables of this project have at most 20
+
+constexpr size_t kMostFields = 10 * kMostColumns;  // commas in quoted fields are counted, too
+
+// At most; those in quotes are none.
+size_t CountFields(const std::string& line) {
+  return static_cast<size_t>(std::count(line.begin(), line.end(), ',')) + 1;
+}
+
+}  // namespace
+
 const std::string& CsvRow::Text(const std::string& column) const {
   return fields_[table_->ColumnIndex(column)];
 }
@@ -32,16 +46,23 @@ std::string CsvRow::At(const std::string& message) const {
 CsvTable::CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns)
     : file_(std::move(file)) {
   for (const TextLine& line : ReadTextLines(file_)) {
-    std::vector<std::string> fields = SplitCsvFields(line.text);
+    // Counted before it is split: a line may be all commas.
+    const size_t most_fields = CountFields(line.text);
     if (header_.empty()) {
       header_line_ = line.number;
-      header_ = std::move(fields);
+      if (most_fields > kMostColumns) {
+        throw InputError(fmt::format("{}:{}: a header of {} columns, at most {} are read; is this the table?",
+                                     file_.string(), line.number, most_fields, kMostColumns));
+      }
+      header_ = SplitCsvFields(line.text);
       continue;
     }
+    std::vector<std::string> fields;
+    if (most_fields <= kMostFields) fields = SplitCsvFields(line.text);
     if (fields.size() != header_.size()) {
-      throw InputError(
-          fmt::format("{}:{}: {} fields where the header has {}; fill the row or leave fields empty",
-                      file_.string(), line.number, fields.size(), header_.size()));
+      throw InputError(fmt::format(
+          "{}:{}: {} fields where the header has {}; fill the row or leave fields empty", file_.string(),
+          line.number, fields.empty() ? most_fields : fields.size(), header_.size()));
     }
     rows_.emplace_back(this, line.number, std::move(fields));
   }
@@ -64,8 +85,9 @@ bool CsvTable::HasColumn(const std::string& column) const {
 size_t CsvTable::ColumnIndex(const std::string& column) const {
   const auto found = std::find(header_.begin(), header_.end(), column);
   if (found == header_.end()) {
-    throw InputError(fmt::format("{}:{}: has no column '{}'; add it to the header {}", file_.string(),
-                                 header_line_, column, Quoted(fmt::format("{}", fmt::join(header_, ",")))));
+    throw InputError(fmt::format("{}:{}: has no column {}; add it to the header {}", file_.string(),
+                                 header_line_, Quoted(column),
+                                 Quoted(fmt::format("{}", fmt::join(header_, ",")))));
   }
   return static_cast<size_t>(found - header_.begin());
 }

@@ -36,7 +36,8 @@ class CsvRow {
 
 class CsvTable {
  public:
-  // Throws InputError when the file cannot be read, has no header, names a column twice, lacks one of the
+  // Throws InputError when the file cannot be read, has no header or one of more than a thousand
+  // columns, names a column twice, lacks one of the
   // required columns, or a row has another number of fields than the header.
   CsvTable(std::filesystem::path file, const std::vector<std::string>& required_columns);
   CsvTable(const CsvTable&) = delete;  // rows point to their table

@@ -8,13 +8,14 @@
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
-#include "base/text.h"
 #include "io/json_fields.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
 
 constexpr int kRecordsSchema = 1;
+constexpr const char* kRecordsRemedy = "write a new one with 'armature eval --out'";
 constexpr std::array kApproaches{"odometry_only", "objects", "objects_loop_closure",
                                  "objects_no_loop_closure"};
 constexpr std::array kMatchedBy{"distance", "detections"};
@@ -83,13 +84,7 @@ void VisitLists(Records& records, const Visit& visit) {
 }
 
 InputError BadRecords(const std::filesystem::path& file, const std::string& why) {
-  return InputError(fmt::format("{}: {}; write a new one with 'armature eval --out'", file.string(), why));
-}
-
-// "[json.exception...] and what is wrong": without the first part.
-std::string Reason(const nlohmann::ordered_json::exception& error) {
-  const std::string what = error.what();
-  return what.substr(what.find("] ") + 2);
+  return InputError(fmt::format("{}: {}; {}", file.string(), why, kRecordsRemedy));
 }
 
 template <typename Record>
@@ -97,15 +92,10 @@ void ReadList(const nlohmann::ordered_json& json, const char* key, std::vector<R
   const auto list = json.find(key);
   if (list == json.end() || !list->is_array()) throw InputError(fmt::format("there is no list '{}'", key));
   for (const auto& entry : *list) {
-    const auto fail = [&](const std::string& why) {
-      throw InputError(fmt::format("{}[{}]: {}", key, records.size(), why));
-    };
     try {
-      records.push_back(entry.template get<Record>());
-    } catch (const nlohmann::ordered_json::exception& error) {
-      fail(Reason(error));
+      records.push_back(JsonAs<Record>(entry, "it"));
     } catch (const InputError& error) {
-      fail(error.what());
+      throw InputError(fmt::format("{}[{}]: {}", key, records.size(), error.what()));
     }
   }
 }
@@ -149,7 +139,7 @@ std::string EvaluationRecordsJson(const EvaluationRecords& records) {
 }
 
 EvaluationRecords ReadEvaluationRecords(const std::filesystem::path& file) {
-  const auto json = nlohmann::ordered_json::parse(ReadTextFile(file), nullptr, false);
+  const auto json = ReadJson(file, kRecordsRemedy);
   if (!json.is_object() || !json.contains("schema"))
     throw BadRecords(file, "is no file of records, it has no 'schema'");
   if (json["schema"] != kRecordsSchema)

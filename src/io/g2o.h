@@ -16,16 +16,26 @@
 
 namespace armature {
 
-struct G2oFile {
-  PoseGraph graph;                       // poses in the order of the file
-  std::vector<int> ids;                  // of the poses
-  std::vector<std::string> other_lines;  // edges and fixed vertices, as they were read
+// How the information matrices of the edges are taken.
+enum class G2oWeights {
+  kFull,      // as they are
+  kIsotropic  // two numbers, for rotation and translation: each the mean of its block's eigenvalues, those
+              // below zero as 0; also of matrices that are no inverse of a covariance
 };
 
-// Throws InputError when the file cannot be read, a line is malformed, an edge or FIX names a vertex that the
-// file does not have, a vertex stands there twice, an information matrix is not positive semi-definite, there
-// is no vertex or no edge, or the edges do not connect all vertices.
-G2oFile ReadG2o(const std::filesystem::path& file);
+struct G2oFile {
+  PoseGraph graph;                       // poses in the order of the file
+  std::vector<std::string> ids;          // of the poses: whole numbers of up to 64 bits
+  std::vector<std::string> other_lines;  // all but the poses, as they were read
+  std::vector<std::string> notes;        // what was left out, and what no measurement ties
+};
+
+// Lines of other kinds that g2o knows (parameters, priors, landmarks, two dimensions) are left out, with a
+// note a kind. Throws InputError when the file cannot be read, a line is malformed or of an unknown kind, an
+// edge or FIX names a vertex that the file does not have, a vertex stands there twice, an information matrix
+// is not positive semi-definite (weights that are full), there is no vertex or no edge, or the edges do not
+// connect all vertices.
+G2oFile ReadG2o(const std::filesystem::path& file, G2oWeights weights = G2oWeights::kFull);
 
 // The same file with these poses: numbers that read back as the same, edges as they were read. Written aside
 // and renamed. Throws InputError when it cannot be written.

@@ -20,6 +20,7 @@ namespace armature {
 namespace {
 
 constexpr int kJpegQuality = 95;
+constexpr size_t kMostImageBytes = size_t{1} << 30;  // OpenCV counts them with an int
 
 // A complete JPEG has an end-of-image mark behind its last start of scan; the decoder fills what is missing
 // with grey.
@@ -31,7 +32,7 @@ bool IsTruncatedJpeg(std::string_view bytes) {
 
 // Pixels as the camera made them, which is what intrinsics and boxes are of: never turned by an orientation.
 cv::Mat Decode(std::string& bytes, int depth) {
-  if (bytes.empty() || IsTruncatedJpeg(bytes)) return {};
+  if (bytes.empty() || bytes.size() > kMostImageBytes || IsTruncatedJpeg(bytes)) return {};
   try {
     return cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()),
                         cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION | depth);

@@ -63,7 +63,7 @@ void WriteIndex(const InstanceIndex& index, const fs::path& file) {
 }
 
 InstanceIndex ReadIndex(const fs::path& file, Eigen::MatrixXf features, const IndexMethod& method) {
-  std::string content = ReadTextFile(file);
+  const std::string content = ReadTextFile(file);
   std::string_view rest = content;
   CheckIndexVersion(file, TakeLine(rest));
   const std::string_view built = TakeLine(rest);
@@ -75,8 +75,11 @@ InstanceIndex ReadIndex(const fs::path& file, Eigen::MatrixXf features, const In
   if (TakeLine(rest) != FeaturesLine(features)) Refuse(file, "was built from other features, or is damaged");
   const std::string_view said = TakeLine(rest);
   if (said != PayloadLine(rest)) Refuse(file, "is damaged: cut short, or changed since it was written");
-  return InstanceIndex::FromSaved(content.erase(0, content.size() - rest.size()), std::move(features),
-                                  method);
+  try {
+    return InstanceIndex::FromSaved(rest, std::move(features), method);
+  } catch (const InputError& error) {
+    Refuse(file, fmt::format("is damaged: {}", error.what()));
+  }
 }
 
 }  // namespace armature

@@ -28,7 +28,11 @@ constexpr const char* kBuildAgain = "build it again with 'armature retrieve --bu
 }
 
 void CheckModel(const fs::path& file, const CategoryInstances& instances, const CategoryModel& model) {
-  if (instances.model_checksum == ModelChecksum(model)) return;
+  const bool fits = instances.model_checksum == ModelChecksum(model);
+  if (fits && (instances.coefficients.rows() != model.modes() || instances.edges.rows() != model.mean.size()))
+    RefuseLibrary(file, fmt::format("is damaged: its instances of {} have other shapes than their model",
+                                    Quoted(instances.category)));
+  if (fits) return;
   throw InputError(
       fmt::format("{}: its instances of {} are of another category model; name that with --categories, or {}",
                   file.string(), Quoted(instances.category), kBuildAgain));
@@ -59,8 +63,7 @@ class Bytes {
   std::string all_;
 };
 
-// Takes them back. The file's checksum is right when it is used, so what does not fit is a mistake of the
-// writer.
+// Takes them back. A right checksum does not say that sizes are: none is believed before the bytes are there.
 class Reader {
  public:
   Reader(const fs::path& file, std::string_view rest) : file_(file), rest_(rest) {}
@@ -72,25 +75,41 @@ class Reader {
     return number;
   }
   std::string TakeText() {
-    const auto size = static_cast<size_t>(Take<std::uint64_t>());
-    return {TakeRaw(size), size};
+    const auto size = Take<std::uint64_t>();
+    return {TakeRaw(size), static_cast<size_t>(size)};
   }
   std::vector<std::string> TakeTexts(Eigen::Index count) {
+    CheckLeft(static_cast<std::uint64_t>(count), sizeof(std::uint64_t));
     std::vector<std::string> texts(static_cast<size_t>(count));
     for (std::string& text : texts) text = TakeText();
     return texts;
   }
   template <typename Matrix>
   void TakeFloats(Eigen::Index rows, Eigen::Index columns, Matrix& matrix) {
-    const size_t size = sizeof(float) * static_cast<size_t>(rows * columns);
+    CheckLeft(static_cast<std::uint64_t>(rows), sizeof(float));
+    const size_t of_column = sizeof(float) * static_cast<size_t>(rows);
+    if (of_column > 0) CheckLeft(static_cast<std::uint64_t>(columns), of_column);
+    const size_t size = of_column * static_cast<size_t>(columns);
     const char* data = TakeRaw(size);
     matrix.resize(rows, columns);
-    std::memcpy(matrix.data(), data, size);
+    if (size > 0) std::memcpy(matrix.data(), data, size);
+    if (!matrix.allFinite()) RefuseLibrary(file_, "is damaged: a number is not finite");
   }
+  // A number of things. Throws where there are not as many bytes.
+  Eigen::Index TakeCount() {
+    const auto count = Take<std::uint64_t>();
+    CheckLeft(count, 1);
+    return static_cast<Eigen::Index>(count);
+  }
+  bool AtEnd() const { return rest_.empty(); }
+  [[noreturn]] void Refuse(const std::string& why) const { RefuseLibrary(file_, why); }
 
  private:
-  const char* TakeRaw(size_t size) {
-    if (size > rest_.size()) RefuseLibrary(file_, "is damaged");
+  void CheckLeft(std::uint64_t count, size_t bytes) const {
+    if (count > rest_.size() / bytes) RefuseLibrary(file_, "is damaged: it says more than it holds");
+  }
+  const char* TakeRaw(std::uint64_t size) {
+    CheckLeft(size, 1);
     const char* data = rest_.data();
     rest_.remove_prefix(size);
     return data;
@@ -117,8 +136,7 @@ void AddCategory(const CategoryInstances& instances, Bytes& bytes) {
 CategoryInstances TakeCategory(Reader& reader) {
   CategoryInstances instances{.category = reader.TakeText()};
   instances.model_checksum = reader.Take<std::uint64_t>();
-  const Eigen::Index modes = reader.Take<std::int64_t>(), rows = reader.Take<std::int64_t>(),
-                     count = reader.Take<std::int64_t>();
+  const Eigen::Index modes = reader.TakeCount(), rows = reader.TakeCount(), count = reader.TakeCount();
   reader.TakeFloats(modes, count, instances.coefficients);
   reader.TakeFloats(3, count, instances.sizes);
   reader.TakeFloats(rows, count, instances.edges);
@@ -126,6 +144,8 @@ CategoryInstances TakeCategory(Reader& reader) {
   reader.TakeFloats(12, count, instances.T_object_geometry);
   instances.ids = reader.TakeTexts(count);
   instances.geometries = reader.TakeTexts(count);
+  const bool is_real = (instances.sizes.array() >= 0).all() && (instances.size_sigmas.array() >= 0).all();
+  if (!is_real) reader.Refuse("is damaged: a size is below zero");
   return instances;
 }
 
@@ -170,14 +190,17 @@ InstanceLibrary ReadLibrary(const fs::path& file, const std::vector<CategoryMode
   Reader reader(file, Checked(file, content));
   InstanceLibrary library;
   library.root = (fs::absolute(file).parent_path() / reader.TakeText()).lexically_normal();
-  const auto categories = reader.Take<std::uint64_t>();
-  for (std::uint64_t i = 0; i < categories; ++i) {
+  const Eigen::Index categories = reader.TakeCount();
+  for (Eigen::Index i = 0; i < categories; ++i) {
     CategoryInstances instances = TakeCategory(reader);
     const CategoryModel* model = FindModel(models, instances.category);
     if (model == nullptr) continue;
     CheckModel(file, instances, *model);
+    if (library.Of(instances.category) != nullptr)
+      RefuseLibrary(file, fmt::format("is damaged: it has {} twice", Quoted(instances.category)));
     library.categories.push_back(std::move(instances));
   }
+  if (!reader.AtEnd()) RefuseLibrary(file, "is damaged: it holds more than it says");
   return library;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "geometry/polygon_triangles.h"
 
 namespace armature {
 
@@ -28,9 +29,19 @@ void MeshBuilder::AddPolygon(std::span<const std::int64_t> corners, int line) {
     throw InputError(fmt::format("{}: a face has a corner at vertex {} (from 0), where there are {} vertices",
                                  At(line), corner, vertices()));
   }
-  for (size_t i = 2; i < corners.size(); ++i) {
-    triangles_.emplace_back(static_cast<int>(corners[0]), static_cast<int>(corners[i - 1]),
-                            static_cast<int>(corners[i]));
+  std::vector<Eigen::Vector3d> positions;
+  positions.reserve(corners.size());
+  for (const std::int64_t corner : corners) positions.push_back(vertices_[static_cast<size_t>(corner)]);
+  const std::vector<TriangleCorners> triangles = CutPolygon(positions);
+  if (triangles.empty() && corners.size() > kMostConcaveCorners) {
+    throw InputError(
+        fmt::format("{}: a face of {} corners that is not convex, at most {} are cut; write "
+                    "triangles",
+                    At(line), corners.size(), kMostConcaveCorners));
+  }
+  for (const TriangleCorners& triangle : triangles) {
+    triangles_.emplace_back(static_cast<int>(corners[triangle[0]]), static_cast<int>(corners[triangle[1]]),
+                            static_cast<int>(corners[triangle[2]]));
   }
 }
 

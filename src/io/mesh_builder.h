@@ -21,7 +21,7 @@ class MeshBuilder {
 
   // Three finite numbers.
   void AddVertex(const Eigen::Vector3d& vertex, int line);
-  // Convex; becomes triangles around its first corner. The corners are indices of vertices already added.
+  // Becomes triangles (polygon_triangles.h). The corners are indices of vertices already added.
   void AddPolygon(std::span<const std::int64_t> corners, int line);
   // At least one triangle is needed.
   TriangleMesh Build() const;

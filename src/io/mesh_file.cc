@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <limits>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,17 +15,13 @@
 #include "geometry/triangle_mesh.h"
 #include "io/box_table.h"
 #include "io/mesh_builder.h"
+#include "io/off_reader.h"
 #include "io/ply_reader.h"
 
 namespace armature {
 namespace {
 
 using Words = std::vector<std::string>;
-
-Words SplitWords(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
-}
 
 // Three words from `first` on are the coordinates.
 void AddVertex(const Words& words, size_t first, int line, MeshBuilder& mesh) {
@@ -53,6 +47,7 @@ std::int64_t ObjCorner(const std::string& field, int line, const MeshBuilder& me
 
 void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
   const Words words = SplitWords(line.text);
+  if (words.empty()) return;  // a backslash alone
   if (words[0] == "v") return AddVertex(words, 1, line.number, mesh);
   if (words[0] != "f") return;
   std::vector<std::int64_t> corners;
@@ -60,39 +55,21 @@ void AddObjLine(const TextLine& line, MeshBuilder& mesh) {
   mesh.AddPolygon(corners, line.number);
 }
 
-void AddOffFace(const TextLine& line, MeshBuilder& mesh) {
-  const Words words = SplitWords(line.text);
-  const std::string where = mesh.At(line.number);
-  const int count = ParseInteger(words[0], where);
-  if (count < 0 || words.size() - 1 < static_cast<size_t>(count)) {
-    throw InputError(fmt::format("{}: a face says {} corners and names {}", where, count, words.size() - 1));
+// A line that ends in a backslash goes on in the next one.
+std::vector<TextLine> JoinedLines(std::vector<TextLine> lines) {
+  std::vector<TextLine> joined;
+  bool goes_on = false;
+  for (TextLine& line : lines) {
+    const bool continues = goes_on;
+    goes_on = line.text.ends_with('\\');
+    if (goes_on) line.text.back() = ' ';
+    if (continues) {
+      joined.back().text += line.text;
+    } else {
+      joined.push_back(std::move(line));
+    }
   }
-  std::vector<std::int64_t> corners;
-  for (size_t i = 1; i <= static_cast<size_t>(count); ++i) corners.push_back(ParseInteger(words[i], where));
-  mesh.AddPolygon(corners, line.number);
-}
-
-struct OffCounts {
-  size_t vertices = 0, faces = 0;
-  size_t lines = 0;  // that the head takes
-};
-
-OffCounts ReadOffCounts(const std::filesystem::path& file, const std::vector<TextLine>& lines) {
-  if (lines.empty() || !lines[0].text.starts_with("OFF")) {
-    throw InputError(
-        fmt::format("{}: does not start with OFF; convert it to OFF, PLY or OBJ", file.string()));
-  }
-  const std::string rest = Trimmed(lines[0].text.substr(3));
-  const size_t head = rest.empty() ? 2 : 1;
-  if (lines.size() < head) throw InputError(fmt::format("{}: ends after OFF; copy it again", file.string()));
-  const std::string where = fmt::format("{}:{}", file.string(), lines[head - 1].number);
-  const Words counts = SplitWords(rest.empty() ? lines[1].text : rest);
-  const int vertices = ParseInteger(counts[0], where);
-  const int faces = counts.size() < 2 ? -1 : ParseInteger(counts[1], where);
-  if (vertices < 0 || faces < 0) {
-    throw InputError(fmt::format("{}: write the numbers of vertices, faces and edges", where));
-  }
-  return {static_cast<size_t>(vertices), static_cast<size_t>(faces), head};
+  return joined;
 }
 
 // Vertices (v) and faces (f, also a/b/c and negative indices); all else is left out. PCL's reader is not
@@ -100,25 +77,25 @@ OffCounts ReadOffCounts(const std::filesystem::path& file, const std::vector<Tex
 // ReadMesh.
 TriangleMesh ReadObj(const std::filesystem::path& file) {
   MeshBuilder mesh(file);
-  for (const TextLine& line : ReadTextLines(file)) AddObjLine(line, mesh);
+  for (const TextLine& line : JoinedLines(ReadTextLines(file))) AddObjLine(line, mesh);
   return mesh.Build();
 }
 
-// A vertex or a face a line; what follows a face's corners, its colour, is left out. The first line may go on
-// with the counts, as some of ModelNet40 do ("OFF490 518 0"). Throws as ReadMesh.
-TriangleMesh ReadOff(const std::filesystem::path& file) {
-  const std::vector<TextLine> lines = ReadTextLines(file);
-  const OffCounts counts = ReadOffCounts(file, lines);
-  if (lines.size() - counts.lines < counts.vertices + counts.faces) {
-    throw InputError(fmt::format("{}: says {} vertices and {} faces, but only {} lines follow; copy it again",
-                                 file.string(), counts.vertices, counts.faces, lines.size() - counts.lines));
+struct GeometryName {
+  std::filesystem::path file;
+  std::string box;  // its id in a table of boxes; empty: the file is a mesh
+};
+
+// A '#' may stand in the names of folders and files, too: the whole, or else the first part that is a file.
+std::optional<GeometryName> SplitGeometry(const std::filesystem::path& file_and_id) {
+  const std::string text = file_and_id.string();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file_and_id, ignored)) return GeometryName{file_and_id, ""};
+  for (size_t mark = text.find('#'); mark != std::string::npos; mark = text.find('#', mark + 1)) {
+    if (std::filesystem::is_regular_file(text.substr(0, mark), ignored))
+      return GeometryName{text.substr(0, mark), text.substr(mark + 1)};
   }
-  MeshBuilder mesh(file);
-  const TextLine* line = lines.data() + counts.lines;
-  for (size_t i = 0; i < counts.vertices; ++i, ++line)
-    AddVertex(SplitWords(line->text), 0, line->number, mesh);
-  for (size_t i = 0; i < counts.faces; ++i, ++line) AddOffFace(*line, mesh);
-  return mesh.Build();
+  return std::nullopt;
 }
 
 std::string LowerCase(std::string text) {
@@ -150,11 +127,14 @@ TriangleMesh ReadBoxes(const std::filesystem::path& file, const std::string& id)
   return mesh;
 }
 
+bool HasGeometry(const std::filesystem::path& file_and_id) { return SplitGeometry(file_and_id).has_value(); }
+
 TriangleMesh ReadGeometry(const std::filesystem::path& file_and_id) {
+  const std::optional<GeometryName> found = SplitGeometry(file_and_id);
+  if (found) return found->box.empty() ? ReadMesh(found->file) : ReadBoxes(found->file, found->box);
+  // To say what is missing.
   const std::string text = file_and_id.string();
-  const size_t mark = text.rfind('#');
-  if (mark == std::string::npos) return ReadMesh(file_and_id);
-  return ReadBoxes(text.substr(0, mark), text.substr(mark + 1));
+  return ReadMesh(text.substr(0, text.find('#', text.rfind('/') + 1)));
 }
 
 }  // namespace armature

@@ -9,7 +9,7 @@
 
 namespace armature {
 
-// By the name's ending: .ply (PCL's reader), .obj, .off. Polygons become triangles. Vertices in the file's
+// By the name's ending: .ply, .obj, .off. Polygons become triangles. Vertices in the file's
 // unit and frame. Throws InputError naming the file (and, of .obj and .off, the line): missing, malformed,
 // another ending, a corner that is no vertex, a coordinate that is not finite, no triangle.
 TriangleMesh ReadMesh(const std::filesystem::path& file);
@@ -20,6 +20,10 @@ TriangleMesh ReadMesh(const std::filesystem::path& file);
 TriangleMesh ReadBoxes(const std::filesystem::path& file, const std::string& id);
 
 // "FILE" as ReadMesh has it, "FILE#ID" as ReadBoxes has it.
+// Either may have a '#' in its path.
 TriangleMesh ReadGeometry(const std::filesystem::path& file_and_id);
+
+// Whether its file is there.
+bool HasGeometry(const std::filesystem::path& file_and_id);
 
 }  // namespace armature

@@ -2,177 +2,242 @@
 #include "io/ply_reader.h"
 
 #include <fmt/format.h>
-#include <pcl/PolygonMesh.h>
-#include <pcl/console/print.h>
-#include <pcl/conversions.h>
-#include <pcl/io/ply_io.h>
-#include <pcl/point_types.h>
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <set>
-#include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/errors.h"
 #include "base/text.h"
 #include "io/mesh_builder.h"
+#include "io/ply_header.h"
 
 namespace armature {
 namespace {
 
-constexpr int kMostLines = 1000;
+constexpr double kLargestIndex = 9e15;  // whole numbers up to it are doubles
 
-struct Header {
-  std::set<std::string> elements;
-  std::set<std::string> coordinates;  // of vertices, those that are float or double
-  std::string element;                // that the properties belong to
+// The values of the data one after the other.
+class PlyValues {
+ public:
+  PlyValues(std::string_view content, const PlyHeader& header, const std::filesystem::path& file)
+      : rest_(content.substr(header.bytes)), format_(header.format), line_(header.lines + 1), file_(file) {}
+
+  double Next(const PlyScalar& type) {
+    return format_ == PlyFormat::kText ? NextWord() : FromBytes(TakeBytes(type.bytes), type);
+  }
+
+  // Numbers of one type that nobody needs.
+  void Skip(std::uint64_t count, const PlyScalar& type) {
+    if (format_ == PlyFormat::kText) {
+      for (std::uint64_t i = 0; i < count; ++i) TakeWord();
+    } else {
+      CheckLeft(count, type.bytes);
+      TakeBytes(static_cast<size_t>(count) * type.bytes);
+    }
+  }
+
+  // How long a list is.
+  size_t NextCount(const PlyScalar& type) {
+    const double count = Next(type);
+    if (!(count >= 0) || count != std::floor(count) || count > kLargestIndex)
+      Refuse(fmt::format("is cut short or malformed: a list of {} values", count));
+    CheckLeft(static_cast<std::uint64_t>(count), 1);
+    return static_cast<size_t>(count);
+  }
+
+  std::int64_t NextIndex(const PlyScalar& type) {
+    const double index = Next(type);
+    if (std::abs(index) <= kLargestIndex && index == std::floor(index))
+      return static_cast<std::int64_t>(index);
+    Refuse(fmt::format("a face has a corner at vertex {}", index));
+  }
+
+  int line() const { return format_ == PlyFormat::kText ? line_ : 0; }
+
+ private:
+  [[noreturn]] void Refuse(const std::string& why) const {
+    const std::string where = line() == 0 ? file_.string() : fmt::format("{}:{}", file_.string(), line_);
+    throw InputError(fmt::format("{}: {}; copy or write it again", where, why));
+  }
+
+  // A value has a byte at least, in text with the blank behind it nearly two.
+  void CheckLeft(std::uint64_t count, size_t bytes) const {
+    if (count > rest_.size() / bytes) Refuse("is cut short or malformed");
+  }
+
+  std::string_view TakeBytes(size_t bytes) {
+    CheckLeft(bytes, 1);
+    const std::string_view taken = rest_.substr(0, bytes);
+    rest_.remove_prefix(bytes);
+    return taken;
+  }
+
+  std::string_view TakeWord() {
+    constexpr std::string_view kBlanks = " \t\r\v\f\n";
+    size_t begin = 0;
+    for (; begin < rest_.size() && kBlanks.find(rest_[begin]) != std::string_view::npos; ++begin) {
+      const bool is_pair = rest_[begin] == '\r' && rest_.substr(begin + 1).starts_with('\n');
+      line_ += rest_[begin] == '\n' || (rest_[begin] == '\r' && !is_pair) ? 1 : 0;
+    }
+    rest_.remove_prefix(begin);
+    if (rest_.empty()) Refuse("is cut short or malformed");
+    return TakeBytes(std::min(rest_.find_first_of(kBlanks), rest_.size()));
+  }
+
+  double NextWord() {
+    const std::string word(TakeWord());
+    return ParseNumber(word, fmt::format("{}:{}", file_.string(), line_));
+  }
+
+  double FromBytes(std::string_view bytes, const PlyScalar& type) const {
+    std::uint64_t bits = 0;  // most significant byte first
+    for (size_t i = 0; i < bytes.size(); ++i) {
+      const size_t place = format_ == PlyFormat::kBigEndian ? i : bytes.size() - 1 - i;
+      bits = bits << 8 | static_cast<unsigned char>(bytes[place]);
+    }
+    switch (type.kind) {
+      case PlyScalar::Kind::kReal:
+        if (type.bytes == 8) return std::bit_cast<double>(bits);
+        return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+      case PlyScalar::Kind::kUnsigned:
+        return static_cast<double>(bits);
+      case PlyScalar::Kind::kSigned:
+        break;
+    }
+    const size_t unused = 64 - 8 * type.bytes;
+    return static_cast<double>(static_cast<std::int64_t>(bits << unused) >> unused);
+  }
+
+  std::string_view rest_;
+  PlyFormat format_;
+  int line_;
+  const std::filesystem::path& file_;
 };
 
-class HeaderReader {
- public:
-  explicit HeaderReader(const std::filesystem::path& file)
-      : file_(file), bytes_(std::filesystem::file_size(file)), stream_(file, std::ios::binary) {}
+void SkipProperty(const PlyProperty& property, PlyValues& values) {
+  values.Skip(property.count ? values.NextCount(*property.count) : 1, property.type);
+}
 
-  void Check() {
-    if (NextLine() != "ply") Refuse("does not start with 'ply'; convert it to PLY, OBJ or OFF");
-    for (std::string line = NextLine(); line != "end_header"; line = NextLine()) Add(line);
-    for (const char* needed : {"vertex", "face"}) {
-      if (!header_.elements.contains(needed)) Refuse(fmt::format("has no element '{}'", needed));
-    }
-    if (header_.coordinates.size() != 3) Refuse("its vertices need x, y and z, as float or double");
+void SkipElement(const PlyElement& element, PlyValues& values) {
+  if (element.properties.empty()) return;  // then nothing stands for it, whatever its number
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    for (const PlyProperty& property : element.properties) SkipProperty(property, values);
+  }
+}
+
+struct PlyPolygon {
+  std::vector<std::int64_t> corners;
+  int line = 0;
+};
+
+class PlySurface {
+ public:
+  PlySurface(const PlyHeader& header, size_t bytes, const std::filesystem::path& file)
+      : file_(file), mesh_(file) {
+    for (const char* needed : {"vertex", "face"}) FindElement(header, needed);
+    for (const PlyElement& element : header.elements) CheckSize(element, bytes);
+    CheckCoordinates(FindElement(header, "vertex"));
+    corners_ = FindCorners(FindElement(header, "face"));
+  }
+
+  void Read(const PlyElement& element, PlyValues& values) {
+    if (element.name == "vertex") return ReadVertices(element, values);
+    if (element.name == "face") return ReadFaces(element, values);
+    SkipElement(element, values);
+  }
+
+  // Faces may stand before the vertices that they name.
+  TriangleMesh Build() {
+    for (const PlyPolygon& polygon : polygons_) mesh_.AddPolygon(polygon.corners, polygon.line);
+    return mesh_.Build();
   }
 
  private:
-  [[noreturn]] void Refuse(const std::string& reason) const {
-    throw InputError(fmt::format("{}: {}", file_.string(), reason));
+  [[noreturn]] void Refuse(const std::string& why) const {
+    throw InputError(fmt::format("{}: {}", file_.string(), why));
   }
 
-  std::string NextLine() {
-    std::string line;
-    if (++lines_ > kMostLines || !std::getline(stream_, line)) {
-      Refuse("is no PLY file: its header does not end; copy it again");
+  const PlyElement& FindElement(const PlyHeader& header, const char* name) const {
+    for (const PlyElement& element : header.elements) {
+      if (element.name == name) return element;
     }
-    return Trimmed(line);
+    Refuse(fmt::format("has no element '{}'; give a surface", name));
   }
 
-  void Add(const std::string& line) {
-    std::istringstream fields(line);
-    std::string keyword;
-    fields >> keyword;
-    if (keyword == "element") AddElement(fields);
-    if (keyword == "property" && header_.element == "vertex") AddVertexProperty(fields);
-    // PCL takes the size of a grid from there, and writes the vertices beyond it.
-    if (keyword == "obj_info" && line.find("num_") != std::string::npos) {
-      Refuse("is a range image; give a surface");
-    }
+  void CheckSize(const PlyElement& element, size_t bytes) const {
+    if (element.properties.empty() || element.count <= bytes) return;
+    Refuse(fmt::format("says {} of element {}, but has only {} bytes; copy it again", element.count,
+                       Quoted(element.name), bytes));
   }
 
-  void AddElement(std::istringstream& fields) {
-    std::uint64_t count = 0;
-    if (!(fields >> header_.element >> count)) Refuse("an element needs a name and a number");
-    if (!header_.elements.insert(header_.element).second) {
-      Refuse(fmt::format("has the element {} twice", Quoted(header_.element)));
-    }
-    if (count > bytes_) {
-      Refuse(fmt::format("says {} of element {}, but has only {} bytes; copy it again", count,
-                         Quoted(header_.element), bytes_));
+  void CheckCoordinates(const PlyElement& vertex) {
+    for (const char* name : {"x", "y", "z"}) {
+      const auto property = vertex.Find(name);
+      if (!property || vertex.properties[*property].count)
+        Refuse("its vertices need x, y and z, a number each; write 'property float x'");
     }
   }
 
-  void AddVertexProperty(std::istringstream& fields) {
-    static const std::array<std::string, 4> kReal = {"float", "float32", "double", "float64"};
-    std::string type, name;
-    fields >> type >> name;
-    if (type == "list") Refuse("its vertices have lists; write plain vertices");
-    const bool is_coordinate = name == "x" || name == "y" || name == "z";
-    if (is_coordinate && std::ranges::find(kReal, type) != kReal.end()) header_.coordinates.insert(name);
+  size_t FindCorners(const PlyElement& face) const {
+    for (const char* name : {"vertex_indices", "vertex_index"}) {
+      const auto property = face.Find(name);
+      if (property && face.properties[*property].count) return *property;
+    }
+    Refuse("its faces need their corners; write 'property list uchar int vertex_indices'");
   }
 
-  std::filesystem::path file_;
-  std::uintmax_t bytes_;
-  std::ifstream stream_;
-  Header header_;
-  int lines_ = 0;
+  void ReadVertices(const PlyElement& vertex, PlyValues& values) {
+    for (std::uint64_t i = 0; i < vertex.count; ++i) {
+      Eigen::Vector3d position;
+      for (const PlyProperty& property : vertex.properties) {
+        const size_t axis = std::string_view("xyz").find(property.name);
+        if (property.name.size() == 1 && axis != std::string_view::npos) {
+          position[static_cast<Eigen::Index>(axis)] = values.Next(property.type);
+        } else {
+          SkipProperty(property, values);
+        }
+      }
+      mesh_.AddVertex(position, values.line());
+    }
+  }
+
+  void ReadFaces(const PlyElement& face, PlyValues& values) {
+    for (std::uint64_t i = 0; i < face.count; ++i) {
+      PlyPolygon polygon;
+      for (size_t p = 0; p < face.properties.size(); ++p) {
+        const PlyProperty& property = face.properties[p];
+        if (p != corners_) {
+          SkipProperty(property, values);
+          continue;
+        }
+        polygon.corners.resize(values.NextCount(*property.count));
+        for (std::int64_t& corner : polygon.corners) corner = values.NextIndex(property.type);
+        polygon.line = values.line();
+      }
+      polygons_.push_back(std::move(polygon));
+    }
+  }
+
+  const std::filesystem::path& file_;
+  MeshBuilder mesh_;
+  size_t corners_ = 0;  // which property of a face
+  std::vector<PlyPolygon> polygons_;
 };
-
-// Whether the file may be handed to PCL, which allocates whatever its header claims. Throws InputError naming
-// the file: it cannot be read, does not start as PLY does, its header does not end or claims more elements
-// than the file has bytes, has no vertices with float or double x, y and z or no faces, or belongs to a range
-// image.
-void CheckPlyHeader(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file) || !std::ifstream(file)) {
-    throw InputError(
-        fmt::format("{}: cannot be opened; check that it exists and may be read", file.string()));
-  }
-  HeaderReader(file).Check();
-}
-
-// PCL tells on stderr about every property that it leaves out.
-void SilencePcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
-
-[[noreturn]] void ThrowMalformed(const std::filesystem::path& file) {
-  throw InputError(fmt::format("{}: is cut short or malformed; copy or write it again", file.string()));
-}
-
-pcl::PolygonMesh LoadPolygons(const std::filesystem::path& file) {
-  SilencePcl();
-  pcl::PolygonMesh polygons;
-  try {
-    if (pcl::PLYReader().read(file.string(), polygons) == 0) return polygons;
-  } catch (const std::exception&) {  // of PCL, Boost or the standard library, whatever the file provokes
-  }
-  ThrowMalformed(file);
-}
-
-const pcl::PCLPointField& FindField(const pcl::PCLPointCloud2& cloud, const std::string& name,
-                                    const std::filesystem::path& file) {
-  for (const pcl::PCLPointField& field : cloud.fields) {
-    if (field.name == name) return field;
-  }
-  ThrowMalformed(file);
-}
-
-double RealAt(const std::uint8_t* bytes, int datatype) {
-  if (datatype == pcl::PCLPointField::FLOAT64) {
-    double value = 0;
-    std::memcpy(&value, bytes, sizeof value);
-    return value;
-  }
-  float value = 0;
-  std::memcpy(&value, bytes, sizeof value);
-  return value;
-}
-
-void AddVertices(const pcl::PCLPointCloud2& cloud, const std::filesystem::path& file, MeshBuilder& mesh) {
-  const std::array fields{FindField(cloud, "x", file), FindField(cloud, "y", file),
-                          FindField(cloud, "z", file)};
-  // The cloud's width may come from a camera in the file: only the data tell how many vertices there are.
-  for (size_t first = 0; first + cloud.point_step <= cloud.data.size(); first += cloud.point_step) {
-    Eigen::Vector3d vertex;
-    for (int i = 0; i < 3; ++i) {
-      const pcl::PCLPointField& field = fields[static_cast<size_t>(i)];
-      vertex[i] = RealAt(cloud.data.data() + first + field.offset, field.datatype);
-    }
-    mesh.AddVertex(vertex, 0);
-  }
-}
 
 }  // namespace
 
 TriangleMesh ReadPly(const std::filesystem::path& file) {
-  CheckPlyHeader(file);
-  const pcl::PolygonMesh polygons = LoadPolygons(file);
-  MeshBuilder mesh(file);
-  AddVertices(polygons.cloud, file, mesh);
-  for (const pcl::Vertices& polygon : polygons.polygons) {
-    const std::vector<std::int64_t> corners(polygon.vertices.begin(), polygon.vertices.end());
-    mesh.AddPolygon(corners, 0);
-  }
-  return mesh.Build();
+  const std::string content = ReadTextFile(file);
+  const PlyHeader header = ReadPlyHeader(content, file);
+  PlySurface surface(header, content.size(), file);
+  PlyValues values(content, header, file);
+  for (const PlyElement& element : header.elements) surface.Read(element, values);
+  return surface.Build();
 }
 
 }  // namespace armature

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "io/csv.h"
+#include "io/json_file.h"
 #include "io/placed_objects.h"
 #include "io/run_configuration.h"
 
@@ -16,7 +17,7 @@ namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
-using Document = nlohmann::json;
+using Document = nlohmann::ordered_json;
 using Remarks = std::vector<ProvenanceRemark>;
 
 // A member of summary.json or bench.json. `consequence`: of different values; empty: there is none.
@@ -26,6 +27,8 @@ struct Fact {
   const char* consequence;
 };
 
+constexpr const char* kMakeRunAgain = "run `armature run` again";
+constexpr const char* kBenchAgain = "write a new one with 'armature bench'";
 constexpr const char* kTimes = "times do not compare";
 constexpr const char* kOtherData = "not the same data, pairs may be of different things";
 
@@ -53,19 +56,21 @@ constexpr Fact kBenchFacts[] = {{"CPU", "/environment/cpu", kTimes},
                                 {"commit", "/environment/git", ""},
                                 {"preset", "/settings/preset", ""}};
 
-Document ReadObject(const fs::path& file) {
-  Document json = Document::parse(ReadTextFile(file), nullptr, false);
-  if (!json.is_object()) throw InputError(fmt::format("{}: is not JSON; write it again", file.string()));
-  return json;
+// A text as it is, anything else as JSON.
+std::string FactValue(const Document& value) {
+  return value.is_string() ? value.get<std::string>()
+                           : value.dump(-1, ' ', false, Document::error_handler_t::replace);
 }
 
-// "unknown" of older results.
+// "unknown" of older results, which lack members, and of members that are not what they should be.
 std::string FactText(const Document& json, const char* pointer) {
-  const Document value = json.value(Document::json_pointer(pointer), Document());
+  const Document::json_pointer place(pointer);
+  const Document value = json.contains(place) ? json.at(place) : Document();
   if (value.is_null()) return "unknown";
-  if (value.is_object())  // a git state
-    return value.value("commit", "unknown") + (value.value("dirty", false) ? " (modified)" : "");
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  if (value.is_object() && value.contains("commit"))  // a git state
+    return FactValue(value["commit"]) +
+           (value.contains("dirty") && value["dirty"] == true ? " (modified)" : "");
+  return FactValue(value);
 }
 
 template <size_t kCount>
@@ -140,9 +145,9 @@ void AddModelRemarks(const fs::path& a, const fs::path& b, Remarks& remarks) {
 
 OptionTexts BenchOptions(const Document& json) {
   OptionTexts options;
-  const Document values = json.value("/settings/options"_json_pointer, Document::object());
-  for (const auto& [key, value] : values.items())
-    options[key] = value.is_string() ? value.get<std::string>() : value.dump();
+  const Document::json_pointer place("/settings/options");
+  if (!json.contains(place)) return options;
+  for (const auto& [key, value] : json.at(place).items()) options[key] = FactValue(value);
   return options;
 }
 
@@ -152,14 +157,15 @@ Remarks CompareRunProvenance(const RunIdentity& a, const RunIdentity& b) {
   Remarks remarks;
   AddDataRemarks(a.sequence_folder, b.sequence_folder, remarks);
   AddModelRemarks(a.folder, b.folder, remarks);
-  AddFacts(kRunFacts, ReadObject(a.folder / "summary.json"), ReadObject(b.folder / "summary.json"), remarks);
+  AddFacts(kRunFacts, ReadJsonObject(a.folder / "summary.json", kMakeRunAgain),
+           ReadJsonObject(b.folder / "summary.json", kMakeRunAgain), remarks);
   AddOptionRemark(ReadOptionTexts(a.folder), ReadOptionTexts(b.folder), remarks);
   return remarks;
 }
 
 Remarks CompareBenchProvenance(const fs::path& a, const fs::path& b) {
   Remarks remarks;
-  const Document json_a = ReadObject(a), json_b = ReadObject(b);
+  const Document json_a = ReadJsonObject(a, kBenchAgain), json_b = ReadJsonObject(b, kBenchAgain);
   AddFacts(kBenchFacts, json_a, json_b, remarks);
   AddOptionRemark(BenchOptions(json_a), BenchOptions(json_b), remarks);
   return remarks;

@@ -8,13 +8,18 @@
 
 #include "base/errors.h"
 #include "base/microseconds.h"
-#include "base/text.h"
 #include "io/csv.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 #include "io/run_folder.h"
 #include "io/trajectory.h"
 
 namespace armature {
 namespace {
+
+constexpr const char* kRunAgain = "run `armature run` again";
+
+constexpr int kMostDetections = 100'000;  // of the detections of an image
 
 using Key = std::pair<long long, int>;
 
@@ -23,13 +28,14 @@ const std::vector<std::string> kPose = {"tx", "ty", "tz", "qx", "qy", "qz", "qw"
 Key MakeKey(double timestamp, int index) { return {Microseconds(timestamp), index}; }
 
 void ReadSummary(const std::filesystem::path& file, RunIdentity& run) {
-  const auto json = nlohmann::json::parse(ReadTextFile(file), nullptr, false);
-  if (!json.is_object() || !json.contains("sequence") || !json["sequence"].is_string()) {
-    throw InputError(fmt::format("{}: names no sequence; run `armature run` again", file.string()));
-  }
-  run.sequence = json["sequence"].get<std::string>();
-  if (json.contains("sequence_folder") && json["sequence_folder"].is_string()) {
-    run.sequence_folder = json["sequence_folder"].get<std::string>();
+  const auto json = ReadJsonObject(file, kRunAgain);
+  if (!json.contains("sequence"))
+    throw InputError(fmt::format("{}: names no sequence; {}", file.string(), kRunAgain));
+  try {
+    run.sequence = JsonField<std::string>(json, "sequence");
+    run.sequence_folder = JsonFieldOr<std::string>(json, "sequence_folder", "");
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}; {}", file.string(), error.what(), kRunAgain));
   }
 }
 
@@ -51,6 +57,9 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
     if (table.HasColumn("object")) observation.object = row.Text("object");
     if (table.HasColumn("shape"))
       observation.shape = ParseNumbers(row.Text("shape"), row.At("column 'shape'"));
+    if (observation.index < 0 || observation.index > kMostDetections)
+      throw InputError(
+          row.At(fmt::format("index {} of an image's detections; {}", observation.index, kRunAgain)));
     const Key key = MakeKey(observation.timestamp, observation.index);
     if (!run.observations.emplace(key, std::move(observation)).second) {
       throw InputError(row.At("this timestamp and index occur twice; keep one row"));

@@ -74,7 +74,8 @@ double ReadRate(const YamlMap& map) {
 
 std::string ReadName(const YamlMap& map) {
   std::string name = map.Text("name");
-  const bool is_plain = !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+  const bool is_plain = !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos &&
+                        name == Trimmed(name);
   if (!is_plain) {
     throw InputError(
         map.At("name", fmt::format("is {}; it names a folder, so write a plain word", Quoted(name))));
@@ -92,22 +93,28 @@ Eigen::Vector3d ReadUp(const YamlMap& map) {
   return up.normalized();
 }
 
-// A line of rgb.txt: `timestamp filename`.
+bool IsFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored);
+}
+
+// A line of rgb.txt: `timestamp filename`. A file's name may have blanks and '#' in it: what follows a '#' is
+// a comment where no file is called so.
 ImageEntry ParseEntry(const TextLine& line, const std::filesystem::path& folder, const std::string& where) {
   const size_t blank = line.text.find_first_of(" \t");
-  if (blank == std::string::npos) {
+  const std::string name = blank == std::string::npos ? "" : Trimmed(line.text.substr(blank));
+  if (name.empty() || name[0] == '#') {
     throw InputError(fmt::format("{}: {} is not 'timestamp filename'; write both", where, Quoted(line.text)));
   }
   ImageEntry entry;
   entry.timestamp = ParseNumber(line.text.substr(0, blank), where);
-  entry.file = folder / Trimmed(line.text.substr(blank));
+  entry.file = folder / (IsFile(folder / name) ? name : Trimmed(WithoutComment(name)));
   entry.line = line.number;
   return entry;
 }
 
 void CheckExists(const ImageEntry& entry, const std::string& where) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(entry.file, ignored)) return;
+  if (IsFile(entry.file)) return;
   throw InputError(fmt::format("{}: image {} does not exist; add the file or remove the line", where,
                                Quoted(entry.file.string())));
 }
@@ -223,7 +230,7 @@ std::string NameDraw(const std::string& scene, int draw) {
 
 std::vector<ImageEntry> ReadImageList(const std::filesystem::path& file) {
   std::vector<ImageEntry> images;
-  for (const TextLine& line : ReadTextLines(file)) {
+  for (const TextLine& line : ReadTextLines(file, Comments::kOwnLines)) {
     const std::string where = fmt::format("{}:{}", file.string(), line.number);
     const ImageEntry entry = ParseEntry(line, file.parent_path(), where);
     CheckStamp(entry, images.empty() ? nullptr : &images.back(), where);

@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "base/nearest_name.h"
 #include "base/number_format.h"
+#include "base/printable.h"
 
 namespace armature {
 namespace {
@@ -195,6 +196,17 @@ std::string FormatJson(const Table& table) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// Names of others may stand in any text of it.
+Table PrintableTable(Table table) {
+  table.title = Printable(table.title);
+  for (std::string& column : table.columns) column = Printable(column);
+  for (std::string& note : table.notes) note = Printable(note);
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) cell.text = Printable(cell.text);
+  }
+  return table;
+}
+
 }  // namespace
 
 Cell TextCell(std::string text) { return {std::move(text), false}; }
@@ -229,11 +241,13 @@ TableFormat TableFormatFromName(const std::string& name) {
   return static_cast<TableFormat>(found - names.begin());
 }
 
-std::string FormatTable(const Table& table, TableFormat format) {
-  for (const auto& row : table.rows) {
-    if (row.size() != table.columns.size())
-      throw std::logic_error("a row of '" + table.title + "' is incomplete");
+std::string FormatTable(const Table& given, TableFormat format) {
+  for (const auto& row : given.rows) {
+    if (row.size() != given.columns.size())
+      throw std::logic_error("a row of '" + given.title + "' is incomplete");
   }
+  if (format == TableFormat::kJson) return FormatJson(given);  // escapes by itself
+  const Table table = PrintableTable(given);
   switch (format) {
     case TableFormat::kText:
       return FormatText(table);
@@ -244,7 +258,7 @@ std::string FormatTable(const Table& table, TableFormat format) {
     case TableFormat::kLatex:
       return FormatLatex(table);
     case TableFormat::kJson:
-      return FormatJson(table);
+      break;
   }
   throw std::logic_error("unknown table format");
 }

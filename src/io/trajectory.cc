@@ -43,16 +43,33 @@ struct Fields {
   }
 };
 
+constexpr size_t kMostFields = 1000;  // EuRoC's rows have 17
+
 // At commas where the line has any, else at blanks.
-Fields Split(const std::string& line) {
-  Fields fields{{}, line.find(',') != std::string::npos};
-  const char* separators = fields.has_commas ? "," : " \t";
-  for (size_t begin = 0; begin <= line.size();) {
-    const size_t end = std::min(line.find_first_of(separators, begin), line.size());
-    if (fields.has_commas || end > begin) fields.texts.push_back(Trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
+Fields Split(const std::string& line, const std::string& where) {
+  const auto commas = static_cast<size_t>(std::count(line.begin(), line.end(), ','));
+  if (commas > kMostFields) {
+    throw InputError(
+        fmt::format("{}: {} commas are no pose; write 'timestamp tx ty tz qx qy qz qw'", where, commas));
   }
-  return fields;
+  if (commas > 0) return {SplitFields(line), true};
+  return {SplitWords(line), false};
+}
+
+bool IsNumber(const std::string& text) {
+  try {
+    ParseNumber(text, "");
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// Names of columns where the first pose should be.
+void CheckIsNoHeader(const Fields& first, const std::string& where) {
+  if (std::any_of(first.texts.begin(), first.texts.end(), IsNumber)) return;
+  throw InputError(fmt::format("{}: {} is a header line; put a '#' before it", where,
+                               Quoted(fmt::format("{}", fmt::join(first.texts, " ")))));
 }
 
 std::string Described(const Fields& fields) {
@@ -175,7 +192,8 @@ TrajectoryFile ReadTrajectoryFile(const std::filesystem::path& file, const Traje
   TrajectoryFile read;
   for (size_t i = 0; i < lines.size(); ++i) {
     const std::string where = fmt::format("{}:{}", file.string(), lines[i].number);
-    const Fields fields = Split(lines[i].text);
+    const Fields fields = Split(lines[i].text, where);
+    if (read.poses.empty()) CheckIsNoHeader(fields, where);
     if (format == TrajectoryFormat::kAuto) format = DetectFormat(fields, where);
     CheckLayout(fields, GetLayout(format), where);
     TimedPose pose = ParsePose(fields, format, where);

@@ -8,20 +8,16 @@
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
+#include "base/printable.h"
 #include "base/text.h"
+#include "io/yaml_limits.h"
 
 namespace armature {
 
 YamlMap YamlMap::Load(const std::filesystem::path& file) {
   const std::string content = ReadTextFile(file);
-  YAML::Node root;
-  try {
-    root = YAML::Load(content);
-  } catch (const YAML::Exception& error) {
-    throw InputError(fmt::format("{}:{}: not valid YAML ({}); check indentation, colons and brackets",
-                                 file.string(), error.mark.line + 1, error.msg));
-  }
-  return YamlMap(file, root, "");
+  CheckYaml(content, file);
+  return YamlMap(file, YAML::Load(content), "");
 }
 
 YamlMap::YamlMap(std::filesystem::path file, const YAML::Node& node, std::string prefix)
@@ -43,6 +39,12 @@ std::vector<std::string> YamlMap::Keys() const {
     if (!pair.first.IsScalar()) {
       throw InputError(fmt::format("{}:{}: a key is not a plain word; write 'key: value'", file_.string(),
                                    pair.first.Mark().line + 1));
+    }
+    if (!IsPrintable(pair.first.Scalar())) {
+      throw InputError(
+          fmt::format("{}:{}: the key {} has a line break or another control character; write a "
+                      "plain word",
+                      file_.string(), pair.first.Mark().line + 1, Quoted(pair.first.Scalar())));
     }
     keys.push_back(pair.first.Scalar());
   }
@@ -77,7 +79,12 @@ YAML::Node YamlMap::Value(const std::string& key) const {
 
 std::string YamlMap::ScalarText(const std::string& key, const YAML::Node& value) const {
   if (!value.IsScalar()) throw InputError(At(key, "has to be a single value; write 'key: value'"));
-  return value.Scalar();
+  std::string text = value.Scalar();
+  if (text.ends_with('\n')) text.pop_back();  // of a text written below its key, after '>' or '|'
+  if (IsPrintable(text)) return text;
+  throw InputError(At(key, fmt::format("is {}, with a line break or another control character; write a plain "
+                                       "word",
+                                       Quoted(text))));
 }
 
 double YamlMap::Number(const std::string& key) const {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping/pose_graph.h"
 
+#include <ceres/loss_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <memory>
 #include <stdexcept>
 
 #include "mapping/far_start.h"
@@ -66,7 +69,21 @@ ceres::Problem::Options ProblemOptions() {
   ceres::Problem::Options options;
   options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   return options;
+}
+
+// None: the square.
+std::unique_ptr<ceres::LossFunction> MakeLoss(const PoseGraphOptions& options) {
+  switch (options.loss) {
+    case PoseGraphLoss::kSquare:
+      return nullptr;
+    case PoseGraphLoss::kHuber:
+      return std::make_unique<ceres::HuberLoss>(options.loss_scale);
+    case PoseGraphLoss::kCauchy:
+      return std::make_unique<ceres::CauchyLoss>(options.loss_scale);
+  }
+  std::abort();
 }
 
 // Improves result.poses.
@@ -75,12 +92,13 @@ void Optimise(const PoseGraph& graph, const PoseGraphOptions& options, PoseGraph
   std::transform(result.poses.begin(), result.poses.end(), blocks.begin(), ToBlock);
   std::vector<RelativePoseCost> costs(graph.edges.begin(), graph.edges.end());
 
+  const std::unique_ptr<ceres::LossFunction> loss = MakeLoss(options);
   PoseManifold manifold;
   ceres::Problem problem(ProblemOptions());
   for (PoseBlock& block : blocks) problem.AddParameterBlock(block.data(), 7, &manifold);
   for (const size_t pose : FixedPoses(graph)) problem.SetParameterBlockConstant(blocks[pose].data());
   for (size_t i = 0; i < costs.size(); ++i) {
-    problem.AddResidualBlock(&costs[i], nullptr, blocks[graph.edges[i].from].data(),
+    problem.AddResidualBlock(&costs[i], loss.get(), blocks[graph.edges[i].from].data(),
                              blocks[graph.edges[i].to].data());
   }
   ceres::Solver::Summary summary;

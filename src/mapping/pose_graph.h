@@ -33,8 +33,17 @@ enum class PoseGraphStart {
   kChordal    // see chordal_initialisation.h
 };
 
+// What large errors count: an edge with r^T Omega r = s^2 adds rho(s) to the sum. Below the scale nearly s^2.
+enum class PoseGraphLoss {
+  kSquare,  // s^2
+  kHuber,   // beyond the scale c: 2 c s - c^2
+  kCauchy   // c^2 log(1 + s^2 / c^2)
+};
+
 struct PoseGraphOptions {
   PoseGraphStart start = PoseGraphStart::kAuto;
+  PoseGraphLoss loss = PoseGraphLoss::kSquare;
+  double loss_scale = 1;  // c, in standard deviations of an edge's error
   int max_iterations = 100;
   double tolerance = 1e-6;  // stop when an iteration lowers the cost by less than this part of it
 };
@@ -42,7 +51,7 @@ struct PoseGraphOptions {
 struct PoseGraphResult {
   std::vector<Eigen::Isometry3d> poses;           // T_world_i
   PoseGraphStart start = PoseGraphStart::kGiven;  // the one that was used, never kAuto
-  double initial_cost = 0;                        // at that start
+  double initial_cost = 0;                        // at that start, with the loss
   double final_cost = 0;
   int iterations = 0;
   bool converged = false;  // otherwise the iterations ran out, or no step lowers the cost

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "retrieval/checked_flann.h"
 #include "retrieval/neighbour_sets.h"
-#include "retrieval/seeded_flann.h"
 
 namespace armature {
 namespace {
@@ -63,11 +63,28 @@ std::string Saved(FlannIndex& index) {
   return {bytes, size};
 }
 
-void LoadFrom(std::string payload, FlannIndex& index) {
-  std::FILE* stream = fmemopen(payload.data(), payload.size(), "rb");
-  if (!stream) throw std::runtime_error("index: no memory to load it");
-  index.loadIndex(stream);
-  std::fclose(stream);
+template <typename Index>
+void LoadAs(FlannArchive& archive, FlannIndex& index) {
+  archive& static_cast<Index&>(index);
+}
+
+void LoadFrom(std::string_view saved, IndexKind kind, FlannIndex& index) {
+  FlannArchive archive(saved);
+  switch (kind) {
+    case IndexKind::kLinear:
+      LoadAs<flann::LinearIndex<FeatureDistance>>(archive, index);
+      break;
+    case IndexKind::kKdTreeSingle:
+      LoadAs<flann::KDTreeSingleIndex<FeatureDistance>>(archive, index);
+      break;
+    case IndexKind::kKdTree:
+      LoadAs<flann::KDTreeIndex<FeatureDistance>>(archive, index);
+      break;
+    case IndexKind::kKMeans:
+      LoadAs<flann::KMeansIndex<FeatureDistance>>(archive, index);
+      break;
+  }
+  archive.Finish();
 }
 
 }  // namespace
@@ -143,10 +160,10 @@ std::string InstanceIndex::Saved() const {
   return implementation_->flann ? armature::Saved(*implementation_->flann) : "";
 }
 
-InstanceIndex InstanceIndex::FromSaved(std::string saved, Eigen::MatrixXf features,
+InstanceIndex InstanceIndex::FromSaved(std::string_view saved, Eigen::MatrixXf features,
                                        const IndexMethod& method) {
   InstanceIndex index(std::make_unique<Implementation>(std::move(features), method));
-  if (index.implementation_->flann) LoadFrom(std::move(saved), *index.implementation_->flann);
+  if (index.implementation_->flann) LoadFrom(saved, method.kind, *index.implementation_->flann);
   return index;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/enum_names.h"
@@ -73,9 +74,10 @@ class InstanceIndex {
   size_t memory_bytes() const;
 
   // The search structure as bytes (the features are not in them), and back. `saved` has to be of these
-  // features and of a structure with the same Description(), which io/index_file.h sees to.
+  // features and of a structure with the same Description(), which io/index_file.h sees to. Throws
+  // InputError, without a file's name, for bytes that are no such structure.
   std::string Saved() const;
-  static InstanceIndex FromSaved(std::string saved, Eigen::MatrixXf features, const IndexMethod& method);
+  static InstanceIndex FromSaved(std::string_view saved, Eigen::MatrixXf features, const IndexMethod& method);
   const Eigen::MatrixXf& features() const;
   // The method with the parameters that it was built with (not `checks`): of another text it is another
   // structure.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FLANN 1.9's structures over our own distance, with four of its functions replaced: those that would make no
-// two trees alike (Debian's FLANN shuffles with std::random_device, and the rest draws from std::rand), and
-// the one that saves a KD-tree (FLANN cannot read back what it writes where the features are more than two
-// blocks of 64 KB). Replacing them for our distance alone leaves alone what other libraries do with FLANN.
+// FLANN 1.9's structures over our own distance, with those of its functions replaced that would make no two
+// trees alike (Debian's FLANN shuffles with std::random_device, and the rest draws from std::rand). Replacing
+// them for our distance alone leaves alone what other libraries do with FLANN.
 #pragma once
 
 #include <flann/algorithms/kdtree_index.h>
@@ -78,24 +77,6 @@ inline void RandomCenterChooser<armature::FeatureDistance>::operator()(int wante
     });
     if (!taken) centers[chosen++] = point;
     if (chosen == wanted) return;
-  }
-}
-
-// Without the copy of the features in the order of the leaves, which is made again.
-template <>
-template <typename Archive>
-void KDTreeSingleIndex<armature::FeatureDistance>::serialize(Archive& archive) {
-  archive.setObject(this);
-  archive&* static_cast<NNIndex<armature::FeatureDistance>*>(this);
-  archive& root_bbox_;
-  archive& vind_;
-  if (Archive::is_loading::value) root_node_ = new (pool_) Node();
-  archive&* root_node_;
-  if (!Archive::is_loading::value) return;
-  data_ = Matrix<float>(new float[size_ * veclen_], size_, veclen_);
-  for (size_t i = 0; i < size_; ++i) {
-    const float* point = points_[static_cast<size_t>(vind_[i])];
-    std::copy(point, point + veclen_, data_[i]);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/learn/learn_report.h"
+#include "base/console.h"
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "category/held_out.h"
@@ -190,7 +191,7 @@ int RunLearn(const LearnArguments& arguments, const SampleFamilyFunction& sample
     WriteLibrary(BuildFolderLibrary(folder, {LoadCategory(arguments.out)}), arguments.library);
     report.library = arguments.library.string();
   }
-  fmt::print("{}", arguments.json ? ReportJson(report) : ReportText(report));
+  PrintResult(arguments.json ? ReportJson(report) : ReportText(report));
   return 0;
 }
 

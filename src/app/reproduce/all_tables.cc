@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reproduce/all_tables.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/reproduce/matrix_tables.h"
+#include "base/errors.h"
 #include "base/text.h"
 #include "cli/printed_tables.h"
 #include "io/atomic_write.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kReproduceAgain = "remove it and reproduce again";
 
 // Folders of evaluations and benchmarks that have succeeded.
 std::vector<fs::path> FoldersWithTables(const fs::path& folder, const std::vector<JobRecord>& jobs) {
@@ -26,7 +32,10 @@ std::vector<fs::path> FoldersWithTables(const fs::path& folder, const std::vecto
 
 Json MakeTables(const fs::path& folder) {
   const fs::path eval = folder / "eval.json";
-  return Json::parse(ReadTextFile(fs::exists(eval) ? eval : folder / "bench.json")).at("tables");
+  const fs::path file = fs::exists(eval) ? eval : folder / "bench.json";
+  const Json json = ReadJsonObject(file, kReproduceAgain);
+  if (json.contains("tables") && json["tables"].is_array()) return json["tables"];
+  throw InputError(fmt::format("{}: has no list 'tables'; {}", file.string(), kReproduceAgain));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/atomic_write.h"
+#include "io/json_fields.h"
+#include "io/json_file.h"
 
 namespace armature {
 namespace {
@@ -44,21 +46,25 @@ void WriteRecord(const fs::path& folder, const JobRecord& record) {
 }
 
 std::optional<JobRecord> ReadRecord(const fs::path& folder, const std::string& job) {
-  std::ifstream stream(RecordFile(folder, job));
-  const Json json = Json::parse(stream, nullptr, false);
-  if (!json.is_object() || json.value("job", "") != job) return std::nullopt;
-  return JobRecord{.name = job,
-                   .status = ParseStatus(json.value("status", "")),
-                   .seconds = json.value("seconds", 0.0),
-                   .key = json.value("key", ""),
-                   .reason = json.value("reason", ""),
-                   .commands = json.value("commands", std::vector<std::string>{})};
+  const std::optional<Json> json = FindJsonObject(RecordFile(folder, job));
+  if (!json) return std::nullopt;
+  try {
+    if (JsonFieldOr<std::string>(*json, "job", "") != job) return std::nullopt;
+    return JobRecord{.name = job,
+                     .status = ParseStatus(JsonFieldOr<std::string>(*json, "status", "")),
+                     .seconds = JsonFieldOr(*json, "seconds", 0.0),
+                     .key = JsonFieldOr<std::string>(*json, "key", ""),
+                     .reason = JsonFieldOr<std::string>(*json, "reason", ""),
+                     .commands = JsonFieldOr(*json, "commands", std::vector<std::string>{})};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 std::string FindReason(const fs::path& log, int ended) {
   const std::string start = "armature: ";
   std::string reason;
-  std::ifstream stream(log);
+  std::ifstream stream(log);  // our own: it may be cut anywhere
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with(start)) reason = line.substr(start.size());
   }

@@ -199,8 +199,8 @@ int RunReproduce(const ReproduceArguments& arguments) {
   WriteEnvironment(results.partial(), seconds, reproduction.done());
   WriteReadme(results.partial());
   results.Publish();
-  fmt::print("{}", FormatTables(reproduction.tables(), format));
-  if (format == TableFormat::kText) fmt::print("{}", WhereResultsAre(results, reproduction.done(), seconds));
+  PrintResult(FormatTables(reproduction.tables(), format));
+  if (format == TableFormat::kText) PrintResult(WhereResultsAre(results, reproduction.done(), seconds));
   return HasFailed(reproduction.done()) ? 1 : 0;
 }
 

@@ -120,7 +120,7 @@ int Build(const RetrieveArguments& arguments, TableFormat format) {
   const InstanceLibrary library = BuildFolderLibrary(arguments.cad, models);
   WriteLibrary(library, arguments.out);
   WriteIndices(arguments.out, library, models, arguments);
-  fmt::print("{}", FormatTables({LibraryTable(library)}, format));
+  PrintResult(FormatTables({LibraryTable(library)}, format));
   return 0;
 }
 
@@ -168,7 +168,7 @@ int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
     NoteShortages(runs.back(), *library, options);
     progress.Step();
   }
-  fmt::print("{}", FormatTables({RetrievalTable(runs, options)}, format));
+  PrintResult(FormatTables({RetrievalTable(runs, options)}, format));
   return 0;
 }
 

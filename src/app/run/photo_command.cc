@@ -171,8 +171,8 @@ int RunPhoto(const PhotoArguments& arguments) {
   const FrameResult frame = Process(image, detections, camera, up, options, models);
   WritePicture(arguments.out, DrawOverlay(Undistorted(image, camera), frame, models, camera));
   const std::string picture = arguments.out.string();
-  fmt::print("{}", arguments.json ? PhotoReportJson(frame, models, picture)
-                                  : PhotoReportText(frame, models, picture));
+  PrintResult(arguments.json ? PhotoReportJson(frame, models, picture)
+                             : PhotoReportText(frame, models, picture));
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include "app/run/run_report.h"
 #include "app/run/sequence_run.h"
 #include "app/run/video_file.h"
+#include "base/console.h"
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "cli/help.h"
@@ -127,7 +128,7 @@ int RunRun(const RunArguments& arguments) {
         InterruptedAfter(finished, [&] { return RunSequence(sequences[i], settings, folders[i]); }));
     finished.push_back(folders[i].string());
   }
-  fmt::print("{}", arguments.json ? RunReportJson(results) : RunReportText(results));
+  PrintResult(arguments.json ? RunReportJson(results) : RunReportText(results));
   return 0;
 }
 

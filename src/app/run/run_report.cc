@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/statistics.h"
+#include "io/json_file.h"
 #include "io/text_table.h"
 
 namespace armature {
@@ -108,10 +108,9 @@ std::string RunReportText(const std::vector<SequenceRunResult>& results) {
 std::string RunReportJson(const std::vector<SequenceRunResult>& results) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const SequenceRunResult& result : results) {
-    std::ifstream summary(result.folder / "summary.json");
     json.push_back({{"sequence", result.sequence},
                     {"folder", result.folder.string()},
-                    {"summary", nlohmann::ordered_json::parse(summary)}});
+                    {"summary", ReadJson(result.folder / "summary.json", "run it again")}});
   }
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
