@@ -24,6 +24,9 @@ function(armature_floor name)
     ${target}
     PUBLIC ${floor_BELOW} Eigen3::Eigen fmt::fmt
     PRIVATE armature_flags ${floor_LIBRARIES})
+  if(ARMATURE_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)  # what the fuzzer is led by
+  endif()
   # The files of a floor are compiled together, so the names in their anonymous namespaces differ. Who changes a file
   # again and again configures with -DARMATURE_UNITY=OFF.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ARMATURE_UNITY} UNITY_BUILD_BATCH_SIZE 0)

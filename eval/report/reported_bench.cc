@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/report/bench_results.h"
+#include "eval/report/reported_bench.h"
 
 #include <fmt/format.h>
 
@@ -77,8 +77,8 @@ std::vector<std::pair<std::string, std::string>> ListEnvironment(const Json& env
                                               environment.at("flags").get<std::string>())}};
 }
 
-BenchResults ReadResults(const Json& json, const std::filesystem::path& file) {
-  BenchResults results;
+ReportedBench ReadResults(const Json& json, const std::filesystem::path& file) {
+  ReportedBench results;
   results.tables = TablesFromJson(json.at("tables"), file.string());
   results.spans = ReadBenchRecord(file).spans;
   for (const Json& ratio : json.at("ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
@@ -114,7 +114,7 @@ double& GetValue(const std::string& engine, const std::string& stage, StackedBar
 
 }  // namespace
 
-BenchResults ReadBenchResults(const std::filesystem::path& folder) {
+ReportedBench ReadReportedBench(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "bench.json";
   const Json json = ReadJson(file, kBenchRemedy);
   if (!json.is_object() || !json.contains("complete") || json["complete"] != true)
@@ -126,7 +126,7 @@ BenchResults ReadBenchResults(const std::filesystem::path& folder) {
   }
 }
 
-std::vector<StageBars> MakeStageBars(const BenchResults& bench) {
+std::vector<StageBars> MakeStageBars(const ReportedBench& bench) {
   std::vector<StageBars> all;
   for (const NamedSpan& span : bench.spans) {
     const bool is_engine = span.contender.find(':') != std::string::npos;  // not the calibration loop
