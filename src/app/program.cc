@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -16,6 +18,8 @@
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "base/nearest_name.h"
+#include "base/standard_streams.h"
+#include "base/write_failure.h"
 
 namespace armature {
 namespace {
@@ -57,9 +61,7 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error,
   return Report(fmt::format("{}; see {} --help", error.what(), command), kBadInput);
 }
 
-}  // namespace
-
-int RunArmature(int argc, char** argv) {
+int RunCommand(int argc, char** argv) {
   cv::setNumThreads(1);  // times are of one thread
   CatchInterrupts();
   CLI::App app("Armature finds furniture in monocular video from line segments and puts it in the map.",
@@ -78,6 +80,22 @@ int RunArmature(int argc, char** argv) {
   } catch (const std::exception& error) {
     return ReportFailure(error);
   }
+}
+
+// What was printed last may still be on its way. That its reader has seen enough (`| head`) is no error of
+// ours.
+int EndOutput(int status) {
+  const int error = FlushStandardOutput();
+  if (error == 0) return status;
+  if (error == EPIPE) return SignalExitStatus(SIGPIPE);
+  return Report(WriteFailure("standard output", error), kFailed);
+}
+
+}  // namespace
+
+int RunArmature(int argc, char** argv) {
+  OpenStandardStreams();
+  return EndOutput(RunCommand(argc, argv));
 }
 
 }  // namespace armature

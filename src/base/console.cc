@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <exception>
 
+#include "base/standard_streams.h"
+
 namespace armature {
 namespace {
 
@@ -17,7 +19,9 @@ Verbosity program_verbosity = Verbosity::kNormal;
 // A bar of progress may be on the line.
 const char* LineStart() { return StandardErrorScreen().is_terminal ? "\r\x1b[K" : ""; }
 
-void PrintLine(std::string_view line) { fmt::print(stderr, "{}armature: {}\n", LineStart(), line); }
+void PrintLine(std::string_view line) {
+  PrintToStandardError(fmt::format("{}armature: {}\n", LineStart(), line));
+}
 
 bool IsSet(const char* variable) {
   const char* value = std::getenv(variable);
@@ -41,7 +45,8 @@ void Detail(std::string_view line) {
 void PrintError(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
   const bool red = StandardErrorScreen().colour;
-  fmt::print(stderr, "{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", line, red ? "\x1b[0m" : "");
+  PrintToStandardError(
+      fmt::format("{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", line, red ? "\x1b[0m" : ""));
 }
 
 StepDetail::StepDetail(std::string what) : what_(std::move(what)), exceptions_(std::uncaught_exceptions()) {}
