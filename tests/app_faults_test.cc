@@ -282,16 +282,5 @@ TEST_F(AppFaults, StandardOutputIsWrittenToAndNotReplaced) {
   EXPECT_TRUE(fs::is_symlink(link));
 }
 
-TEST_F(AppFaults, AHangUpEndsItAsATerminationDoes) {
-  const FileDescriptor log(folder_ / "log", O_WRONLY | O_CREAT | O_TRUNC);
-  ChildProcess program(
-      Call({"generate", "--only", "sample", "--without-cad", "--out", folder_ / "made/hung"}, log));
-  while (!fs::exists(folder_ / "made/hung/sample.partial-0") && !program.Ended())
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  program.Signal(SIGHUP);
-  EXPECT_EQ(program.Wait(), 129);
-  EXPECT_TRUE(fs::is_empty(folder_ / "made/hung"));
-}
-
 }  // namespace
 }  // namespace armature
