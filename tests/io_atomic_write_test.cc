@@ -84,7 +84,8 @@ TEST(WholeFile, SaysWhatToDoAboutEachReason) {
   const testing::TempFolder folder;
   ExpectInputError([&] { AtomicWrite(folder / std::string(300, 'x'), "x"); },
                    {"File name too long", "choose a shorter name"});
-  ExpectInputError([&] { AtomicWrite(folder.path(), "x"); }, {"is a folder", "name a file"});
+  ExpectInputError([&] { AtomicWrite(folder.path(), "x"); },
+                   {"cannot be written: is a folder", "name a file"});
   const fs::path full = folder / "full";  // as /dev/full is
   if (mknod(full.c_str(), S_IFCHR | 0600, makedev(1, 7)) != 0) GTEST_SKIP() << "only root makes devices";
   if (!std::ofstream(full)) GTEST_SKIP() << "devices are not opened here";

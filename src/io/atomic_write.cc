@@ -95,7 +95,7 @@ FileDescriptor OpenStream(const fs::path& file) {
 
 void WriteThrough(const fs::path& file, const struct stat& status, std::string_view bytes) {
   if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode) && !S_ISCHR(status.st_mode)) {
-    throw InputError(fmt::format("{}: is {}, which is not written to; name a file", file.string(),
+    throw InputError(fmt::format("{}: cannot be written: is {}; name a file", file.string(),
                                  S_ISDIR(status.st_mode) ? "a folder" : "no file"));
   }
   if (IsStandardOutput(status)) std::fflush(stdout);  // what was printed before comes before
