@@ -72,7 +72,8 @@ fi
 step format
 scripts/format.sh --check || failed=$((failed + 1))
 build_and_test release program -DARMATURE_ODR=ON armature_program armature_odr program_tests
-build_and_test asan .
+find build/asan -name "*.gcda" -delete 2>/dev/null  # of earlier runs
+build_and_test asan . -DARMATURE_COVERAGE=ON
 step coverage
 scripts/coverage.sh || failed=$((failed + 1))
 finish

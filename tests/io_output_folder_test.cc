@@ -55,12 +55,12 @@ TEST(OutputFolder, TakesOverAFolderWithoutChangingItBeforeItIsPublished) {
   folder.Write("out/changed", "before");
   {
     OutputFolder output(folder / "out", kAnything);
-    output.TakeOver(folder / "out");
+    output.TakeOver();
     AtomicWrite(output.partial() / "changed", "given up");
   }
   EXPECT_EQ(ReadFile(folder / "out/changed"), "before");
   OutputFolder output(folder / "out", kAnything);
-  output.TakeOver(folder / "out");
+  output.TakeOver();
   AtomicWrite(output.partial() / "changed", "after");
   AtomicWrite(output.partial() / "added", "new");
   EXPECT_EQ(ReadFile(folder / "out/changed"), "before");

@@ -35,6 +35,9 @@ function(armature_instrument target)
   if(ARMATURE_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)  # leads the fuzzer
   endif()
+  if(ARMATURE_COVERAGE)
+    target_compile_options(${target} PRIVATE --coverage)
+  endif()
   if(ARMATURE_ODR)
     target_compile_options(${target} PRIVATE -flto -ffat-lto-objects)  # for the target armature_odr alone
     set_property(GLOBAL APPEND PROPERTY ARMATURE_ODR_ARCHIVES $<TARGET_FILE:${target}>)

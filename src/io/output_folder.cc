@@ -122,12 +122,12 @@ OutputFolder::~OutputFolder() {
   if (!partial_.empty()) fs::remove_all(partial_, ignored);
 }
 
-void OutputFolder::TakeOver(const fs::path& earlier) const {
+void OutputFolder::TakeOver() const {
   constexpr auto kByName = fs::copy_options::recursive | fs::copy_options::copy_symlinks;
   std::error_code failure;
-  fs::copy(earlier, partial_, kByName | fs::copy_options::create_hard_links, failure);
+  fs::copy(folder_, partial_, kByName | fs::copy_options::create_hard_links, failure);
   if (!failure) return;
-  fs::copy(earlier, partial_, kByName | fs::copy_options::overwrite_existing,
+  fs::copy(folder_, partial_, kByName | fs::copy_options::overwrite_existing,
            failure);  // no links on this disk
   if (failure) throw InputError(WriteFailure(folder_, failure.value()));
 }

@@ -43,9 +43,9 @@ class OutputFolder {
   const std::filesystem::path& partial() const { return partial_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  // Takes over all files of a folder on the same disk: by their names alone, so that they take no space. They
-  // are not to be changed, but may be replaced (AtomicWrite). Throws InputError.
-  void TakeOver(const std::filesystem::path& earlier) const;
+  // Takes over all files that are in `folder` now: by their names alone, so that they take no space. They are
+  // not to be changed, but may be replaced (AtomicWrite). Throws InputError.
+  void TakeOver() const;
 
   // Sees to it that what was written is on the disk, and puts it at `folder`, replacing an older one in one
   // step where the file system can. Throws InputError as the constructor, and when it cannot be done.

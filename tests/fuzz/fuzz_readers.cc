@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kVariable = "ARMATURE_FUZZ_READER";  // for the processes that libFuzzer starts
 
 const ReaderTarget* target = nullptr;
-fs::path folder;
+fs::path scratch;
 std::string first_inputs;  // outlives libFuzzer's use of it
 
 const ReaderTarget* FindTarget(const std::string& name) {
@@ -39,11 +39,11 @@ const ReaderTarget* FindTarget(const std::string& name) {
 
 void MakeFolder() {
   const fs::path memory = fs::exists("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
-  folder = memory / fmt::format("armature_fuzz_{}", getpid());
-  fs::copy(fs::path(ARMATURE_SOURCE_DIR) / "tests/fuzz/sample", folder, fs::copy_options::recursive);
+  scratch = memory / fmt::format("armature_fuzz_{}", getpid());
+  fs::copy(fs::path(ARMATURE_SOURCE_DIR) / "tests/fuzz/sample", scratch, fs::copy_options::recursive);
   std::atexit([] {
     std::error_code ignored;
-    fs::remove_all(folder, ignored);
+    fs::remove_all(scratch, ignored);
   });
 }
 
@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, size_t size) {
   using namespace armature::fuzzing;
-  const fs::path file = folder / target->file;
+  const fs::path file = scratch / target->file;
   std::string bytes(reinterpret_cast<const char*>(data), size);
   if (target->seal != nullptr) bytes = target->seal(std::move(bytes));
   std::ofstream(file, std::ios::binary) << bytes;

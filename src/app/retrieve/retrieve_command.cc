@@ -150,7 +150,7 @@ void WritePlaced(const RunRetrieval& run, const fs::path& root, const fs::path& 
 // All files at once: beside the run's own in a folder that then takes its place.
 void WriteResults(const RunRetrieval& run, const RetrieveArguments& arguments, const fs::path& root) {
   RunFolder results(run.run);
-  results.TakeOver(run.run);
+  results.TakeOver();
   if (arguments.place) WritePlaced(run, root, results.partial());
   WriteRetrieval(run, results.partial());
   results.Publish();
