@@ -26,7 +26,7 @@ fuzz() {
   log=$folder/log.txt
   rm -rf "$folder/faults"
   mkdir -p "$folder"/{faults,corpus}
-  "$FUZZER" "$1" -max_total_time="$SECONDS_EACH" -max_len=16384 -timeout=20 -print_final_stats=1 \
+  "$FUZZER" "$1" -max_total_time="$SECONDS_EACH" -max_len=16384 -timeout=20 -print_funcs=0 -print_final_stats=1 \
     -artifact_prefix="$folder/faults/" "$folder/corpus" >"$log" 2>&1 || faults=1
   awk -v reader="$1" -v faults="$faults" -v most="$SECONDS_EACH" '
     /stat::number_of_executed_units/ { executions = $2 }
