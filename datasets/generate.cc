@@ -107,7 +107,7 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     if (is_over) continue;
     std::exception_ptr failed = Tried([&] {
       const cv::Mat3b image = Photograph(studio, i, &sequence->frames[static_cast<size_t>(i)]);
-      WritePicture(folder / ImageName(i), image);
+      WritePictureInside(folder / ImageName(i), image);
     });
 #pragma omp critical(generate)
     {

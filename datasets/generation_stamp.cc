@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <fstream>
-#include <stdexcept>
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -30,12 +29,7 @@ std::string GenerationStamp(const std::string& what) {
   return fmt::format("{{\"generator\": {}, \"made_from\": \"{:016x}\"}}\n", kGeneratorVersion, Hash(what));
 }
 
-void WriteStamp(const fs::path& folder, const std::string& stamp) {
-  std::ofstream stream(folder / kFile, std::ios::binary);
-  stream << stamp;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", (folder / kFile).string()));
-}
+void WriteStamp(const fs::path& folder, const std::string& stamp) { WriteFile(folder / kFile, stamp); }
 
 bool HasStamp(const fs::path& folder, const std::string& stamp) {
   try {

@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <stdexcept>
-
 #include "base/csv_fields.h"
 #include "base/number_format.h"
 #include "datasets/cad/cad_instance.h"
 #include "geometry/rotation.h"
+#include "io/atomic_write.h"
 #include "io/trajectory.h"
 
 namespace armature {
@@ -65,13 +63,6 @@ std::string SettingsText(const GeneratedSequence& sequence) {
   return text;
 }
 
-void Write(const fs::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
-
 // What a run reads.
 void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
   std::string images = "# timestamp filename\n";
@@ -86,10 +77,10 @@ void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
     for (const SimulatedDetection& found : frame.detections)
       detections += DetectionRow(stamp, found.detection);
   }
-  Write(folder / "sequence.yaml", SettingsText(sequence));
-  Write(folder / "rgb.txt", images);
-  Write(folder / "detections.csv", detections);
-  Write(folder / "odometry.txt", odometry);
+  WriteFile(folder / "sequence.yaml", SettingsText(sequence));
+  WriteFile(folder / "rgb.txt", images);
+  WriteFile(folder / "detections.csv", detections);
+  WriteFile(folder / "odometry.txt", odometry);
 }
 
 // What only the evaluation reads.
@@ -111,10 +102,10 @@ void WriteTruth(const fs::path& folder, const GeneratedSequence& sequence) {
     for (size_t i = 0; i < frame.edges.size(); ++i)
       edges += EdgeRows(stamp, sequence.objects[i], frame.edges[i]);
   }
-  Write(folder / "groundtruth.txt", cameras);
-  Write(folder / "objects_gt.csv", objects);
-  Write(folder / "detections_gt.csv", detections);
-  Write(folder / "edges_gt.csv", edges);
+  WriteFile(folder / "groundtruth.txt", cameras);
+  WriteFile(folder / "objects_gt.csv", objects);
+  WriteFile(folder / "detections_gt.csv", detections);
+  WriteFile(folder / "edges_gt.csv", edges);
 }
 
 }  // namespace

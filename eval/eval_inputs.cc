@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "io/output_folder.h"
 #include "io/sequence.h"
 
 namespace armature {
@@ -26,7 +27,7 @@ std::vector<fs::path> SequencesAt(const fs::path& folder) {
   std::error_code absent;
   if (!HasGroundTruth(folder)) {
     for (const auto& entry : fs::directory_iterator(folder, absent)) {
-      if (HasGroundTruth(entry.path())) sequences.push_back(entry.path());
+      if (!IsPartial(entry.path()) && HasGroundTruth(entry.path())) sequences.push_back(entry.path());
     }
   }
   if (sequences.empty()) sequences.push_back(folder);

@@ -11,7 +11,7 @@ packages=(
   libpcl-dev
   node-d3 libjs-three gnuplot-nox
 )
-tests=(libgtest-dev chromium clang-format)
+tests=(libgtest-dev chromium clang-format clang-14 libclang-rt-14-dev libomp-14-dev lld-14 lld gcovr llvm-14)
 others=(clang-tidy)
 case ${1:-all} in
   program) ;;

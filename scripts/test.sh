@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Everything that has to pass: set-up, format, the release build of the program and the tests that go through it; then
-# these and all other tests with address and undefined-behaviour sanitizers. The last line is `N passed, N failed, N
+# Everything that has to pass: set-up, format, the release build of the program by GCC, with a look for one name with two
+# definitions, and the tests that go through it; then these, all other tests and a little fuzzing, built by Clang with
+# address and undefined-behaviour sanitizers, and what of the code they have run. The last line is `N passed, N failed, N
 # skipped`, the test cases of both builds together; a step that fails before its tests (format, build) counts as one
 # failure. Exit status 0 only when nothing failed.
 set -uo pipefail
@@ -70,6 +71,9 @@ if ! scripts/setup.sh tests; then
 fi
 step format
 scripts/format.sh --check || failed=$((failed + 1))
-build_and_test release program armature_program program_tests
-build_and_test asan .
+build_and_test release program -DARMATURE_ODR=ON armature_program armature_odr program_tests
+find build/asan -name "*.gcda" -delete 2>/dev/null  # of earlier runs
+build_and_test asan . -DARMATURE_COVERAGE=ON
+step coverage
+scripts/coverage.sh || failed=$((failed + 1))
 finish

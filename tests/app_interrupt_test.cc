@@ -61,7 +61,8 @@ void WriteLongSequence(const testing::TempFolder& folder) {
 TEST(AppInterrupt, ARunEndsWithTheShellsStatusAndLeavesNothing) {
   const testing::TempFolder sequence, out;
   WriteLongSequence(sequence);
-  for (const auto& [signal, status] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+  for (const auto& [signal, status] :
+       {std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)}) {
     const fs::path err = out / fmt::format("err{}", signal);
     RunningProgram program({"run", sequence.path(), "--out", out / "runs/one"}, out / "out", err);
     EXPECT_EQ(program.StopOnce(out / "runs/one.partial-0", signal), status);

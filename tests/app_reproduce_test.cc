@@ -2,6 +2,7 @@
 // `armature reproduce` from end to end, on the small scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -67,6 +68,14 @@ TEST_F(ReproduceSmallScene, LeavesResultsATableAndAReportAndTellsWhatFailed) {
   EXPECT_EQ(tables[0]["rows"][0]["outcome"], "done");
   EXPECT_NE(std::string(tables[0]["rows"][2]["outcome"]).find("sonar"), std::string::npos);
   EXPECT_NE(InResults("report.html").find("sonar"), std::string::npos) << "the reason is in the report, too";
+}
+
+TEST_F(ReproduceSmallScene, SaysWhatFailedAlsoWhenItIsQuiet) {
+  const ProgramResult result = Reproduce({"--quiet", "--only", "broken"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("runs/broken/den"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("sonar"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
 }
 
 TEST_F(ReproduceSmallScene, TheMainTableHasTheNumbersOfTheRecords) {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/bench_json.h"
-#include "eval/report/bench_results.h"
 #include "eval/report/headline.h"
 #include "eval/report/report_plots.h"
+#include "eval/report/reported_bench.h"
 #include "support/expect_input_error.h"
 #include "support/path_override.h"
 #include "support/temp_folder.h"
@@ -46,9 +46,9 @@ class ReportBench : public ::testing::Test {
  protected:
   ReportBench() : json_(Json::parse(BenchJson(GetBenchEnvironment(1), Json{{"objects", 3}}, TwoEngines()))) {}
 
-  BenchResults Read() const {
+  ReportedBench Read() const {
     folder_.Write("bench.json", json_.dump());
-    return ReadBenchResults(folder_.path());
+    return ReadReportedBench(folder_.path());
   }
   void ExpectRefusedBench(const std::vector<std::string>& texts) const {
     testing::ExpectInputError([&] { Read(); }, texts);
@@ -81,7 +81,7 @@ TEST_F(ReportBench, StagesAreStackedWithoutTheTotal) {
 }
 
 TEST_F(ReportBench, CurvesOverTheSameAxesShareAPlot) {
-  const BenchResults bench = Read();
+  const ReportedBench bench = Read();
   ASSERT_EQ(bench.curves.size(), 1u);
   const Plot& plot = bench.curves[0].plot;
   EXPECT_EQ(plot.x_label, "objects");
@@ -109,7 +109,7 @@ void ExpectTextsInPicture(const ReportPlot& plot, const std::vector<std::string>
 }
 
 TEST_F(ReportBench, PlotsNameWhatTheyShow) {
-  const BenchResults bench = Read();
+  const ReportedBench bench = Read();
   std::vector<std::string> remarks;
   const auto bars = DrawStageBars(MakeStageBars(bench), bench.objects, remarks);
   const auto curves = DrawTimeCurves(bench.curves, remarks);
@@ -134,7 +134,7 @@ TEST_F(ReportBench, NothingToShowIsNoPlot) {
 }
 
 TEST_F(ReportBench, WithoutGnuplotARemarkStandsForThePlots) {
-  const BenchResults bench = Read();
+  const ReportedBench bench = Read();
   std::vector<std::string> remarks;
   const testing::PathOverride nowhere(folder_.path());
   EXPECT_TRUE(DrawTimeCurves(bench.curves, remarks).empty());
@@ -152,13 +152,13 @@ TEST_F(ReportBench, AMissingKeyIsNamed) {
 }
 
 TEST_F(ReportBench, BadFilesAreRefused) {
-  testing::ExpectInputError([&] { ReadBenchResults(folder_ / "none"); }, {"none/bench.json"});
+  testing::ExpectInputError([&] { ReadReportedBench(folder_ / "none"); }, {"none/bench.json"});
   json_["series"][0].erase("points");
   ExpectRefusedBench({"bench.json", "is malformed", "points", "armature bench"});
   json_["complete"] = false;
   ExpectRefusedBench({"bench.json", "is not a finished benchmark", "armature bench"});
   folder_.Write("bench.json", "{");
-  testing::ExpectInputError([&] { ReadBenchResults(folder_.path()); }, {"bench.json", "is not JSON"});
+  testing::ExpectInputError([&] { ReadReportedBench(folder_.path()); }, {"bench.json", "is not JSON"});
 }
 
 }  // namespace

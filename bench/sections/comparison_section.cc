@@ -17,14 +17,15 @@ namespace armature {
 namespace {
 
 void RaceEngines(const BenchTask& task, BenchSection& section) {
-  const auto& [sequence, truth, parts, settings] = task;
+  const BenchSequence& sequence = task.sequence;
+  const BenchSettings& settings = task.settings;
   const auto is_used = [&](size_t input) {
     return sequence.frames[input].input.detections.size() == settings.objects;
   };
   std::vector<std::unique_ptr<Engine>> engines;
   std::vector<Contender> contenders;
   for (const std::string& name : settings.engines) {
-    engines.push_back(MakeEngine(name, parts));
+    engines.push_back(MakeEngine(name, task.parts));
     contenders.push_back(MakeContender(name, *engines.back(), sequence));
     contenders.back().after = [](BenchRow& row) { row.outcome.estimates.clear(); };
     if (!engines.back()->IsStateless()) continue;

@@ -3,13 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
-#include <stdexcept>
 
 #include "base/csv_fields.h"
 #include "base/interrupt.h"
 #include "base/number_format.h"
+#include "io/atomic_write.h"
 #include "io/ply_text.h"
 
 namespace armature {
@@ -18,13 +17,6 @@ namespace {
 // After the point, metres. Learning takes what varies by a micrometre as a mode of the shape: the rounding
 // must not.
 constexpr int kDigits = 7;
-
-void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << bytes;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
-}
 
 std::string MeshName(const CadInstance& instance) {
   return fmt::format("{}/{}.ply", instance.category, instance.id);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 #include "base/console.h"
@@ -16,6 +15,7 @@
 #include "eval/objects/object_tables.h"
 #include "eval/objects/paper_object_errors.h"
 #include "eval/views/evaluation_tables.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -80,10 +80,7 @@ std::vector<PaperObjectErrors> PaperNumbers(const fs::path& named) {
 
 void WriteRawObjects(const fs::path& file, const std::vector<SequenceObjects>& sequences) {
   if (file.empty()) return;
-  std::ofstream stream(file, std::ios::binary);
-  stream << RawObjectsCsv(sequences);
-  if (!stream.flush())
-    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
+  AtomicWrite(file, RawObjectsCsv(sequences));
 }
 
 }  // namespace

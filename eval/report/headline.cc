@@ -54,7 +54,7 @@ HeadlineFigure TimeFigure(const std::string& label, double ours_ms, double paper
 }
 
 // The paired ratio of the baseline over ours.
-std::optional<HeadlineFigure> RatioFigure(const BenchResults& bench, const std::string& sequence,
+std::optional<HeadlineFigure> RatioFigure(const ReportedBench& bench, const std::string& sequence,
                                           const std::string& engine, const std::string& baseline) {
   const auto found = std::find_if(bench.ratios.begin(), bench.ratios.end(), [&](const NamedRatio& r) {
     return r.sequence == sequence && r.contender == baseline && r.reference == engine;
@@ -97,7 +97,7 @@ std::vector<HeadlineFigure> LocalizationFigures(const EvaluationRecords& records
   return figures;
 }
 
-std::vector<HeadlineFigure> TimingFigures(const BenchResults& bench) {
+std::vector<HeadlineFigure> TimingFigures(const ReportedBench& bench) {
   const auto is_total = [](const NamedSpan& s) { return s.table == "comparison" && s.stage == kTotal; };
   const auto ours = std::find_if(bench.spans.begin(), bench.spans.end(), is_total);
   if (ours == bench.spans.end()) return {};

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "eval/report/bench_results.h"
 #include "eval/report/report_data.h"
+#include "eval/report/reported_bench.h"
 #include "io/evaluation_records.h"
 
 namespace armature {
@@ -16,7 +16,7 @@ namespace armature {
 std::vector<HeadlineFigure> LocalizationFigures(const EvaluationRecords& records);
 
 // Our total, the keypoint baseline's and their ratio, of the first sequence that engines were compared on.
-std::vector<HeadlineFigure> TimingFigures(const BenchResults& bench);
+std::vector<HeadlineFigure> TimingFigures(const ReportedBench& bench);
 
 // Of the chairs of the first run that was retrieved for.
 std::vector<HeadlineFigure> RetrievalFigures(const EvaluationRecords& records);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "eval/report/ablation_bars.h"
-#include "eval/report/bench_results.h"
 #include "eval/report/report_data.h"
+#include "eval/report/reported_bench.h"
 
 namespace armature {
 

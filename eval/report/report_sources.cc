@@ -9,10 +9,10 @@
 #include <set>
 
 #include "eval/report/ablation_bars.h"
-#include "eval/report/bench_results.h"
 #include "eval/report/headline.h"
 #include "eval/report/overlay_frames.h"
 #include "eval/report/report_plots.h"
+#include "eval/report/reported_bench.h"
 #include "eval/report/retrieval_strips.h"
 #include "eval/report/run_environment.h"
 #include "eval/report/scene_view.h"
@@ -63,7 +63,7 @@ void AddTables(const ReportSources& sources, ReportData& data) {
 void AddBenches(const ReportSources& sources, ReportData& data) {
   bool has_headline = false;
   for (const std::filesystem::path& folder : sources.benches) {
-    const BenchResults bench = ReadBenchResults(folder);
+    const ReportedBench bench = ReadReportedBench(folder);
     for (const Table& table : bench.tables) data.tables.push_back({ReportSection::kTiming, table});
     AddAll(DrawStageBars(MakeStageBars(bench), bench.objects, data.remarks), data.stages);
     AddAll(DrawTimeCurves(bench.curves, data.remarks), data.curves);

@@ -53,7 +53,8 @@ EnvironmentEntries RunEnvironment(const std::filesystem::path& run) {
 
 void MergeEnvironment(const EnvironmentEntries& more, EnvironmentEntries& all) {
   for (const auto& [name, value] : more) {
-    const auto known = std::find_if(all.begin(), all.end(), [&](const auto& e) { return e.first == name; });
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&key = name](const auto& e) { return e.first == key; });
     if (known == all.end()) {
       all.emplace_back(name, value);
     } else if (("; " + known->second + "; ").find("; " + value + "; ") == std::string::npos) {

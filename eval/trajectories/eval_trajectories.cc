@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "base/console.h"
@@ -15,6 +14,7 @@
 #include "cli/help.h"
 #include "eval/trajectories/trajectory_tables.h"
 #include "eval/trajectories/unmatched_stamps.h"
+#include "io/atomic_write.h"
 #include "io/trajectory.h"
 #include "truth/ground_truth.h"
 
@@ -53,13 +53,11 @@ int CountDigits(TableFormat format) {
 
 void WriteRaw(const fs::path& file, const std::map<std::string, std::vector<NamedTrajectory>>& by_sequence) {
   if (file.empty()) return;
-  std::ofstream stream(file, std::ios::binary);
-  stream << RawTrajectoryHeader();
+  std::string text = RawTrajectoryHeader();
   for (const auto& [sequence, trajectories] : by_sequence) {
-    for (const NamedTrajectory& trajectory : trajectories) stream << RawTrajectoryRows(sequence, trajectory);
+    for (const NamedTrajectory& trajectory : trajectories) text += RawTrajectoryRows(sequence, trajectory);
   }
-  if (!stream.flush())
-    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
+  AtomicWrite(file, text);
 }
 
 void AddRows(const std::string& run, TrajectoryKind trajectory, const std::vector<TimedPose>& estimate,

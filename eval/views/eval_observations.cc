@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 
 #include "base/errors.h"
@@ -13,18 +12,12 @@
 #include "eval/edges/edge_tables.h"
 #include "eval/views/evaluation_tables.h"
 #include "eval/views/run_evaluation.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
-
-void WriteRaw(const fs::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  if (!stream.flush())
-    throw InputError(fmt::format("{}: cannot be written; check the folder", file.string()));
-}
 
 bool Has(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -87,8 +80,8 @@ Evaluation MakeRunObservationTables(const std::vector<RunToEvaluate>& runs,
     made.Append({.records = {.views = MakeViewRecords(sequence, named)}});
     all.insert(all.end(), named.begin(), named.end());
   }
-  if (!arguments.raw.empty()) WriteRaw(arguments.raw, RawCsv(all));
-  if (!arguments.raw_edges.empty()) WriteRaw(arguments.raw_edges, RawEdgesCsv(all));
+  if (!arguments.raw.empty()) AtomicWrite(arguments.raw, RawCsv(all));
+  if (!arguments.raw_edges.empty()) AtomicWrite(arguments.raw_edges, RawEdgesCsv(all));
   return made;
 }
 

@@ -24,7 +24,35 @@ function(armature_floor name)
     ${target}
     PUBLIC ${floor_BELOW} Eigen3::Eigen fmt::fmt
     PRIVATE armature_flags ${floor_LIBRARIES})
+  armature_instrument(${target})
   # The files of a floor are compiled together, so the names in their anonymous namespaces differ. Who changes a file
   # again and again configures with -DARMATURE_UNITY=OFF.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ARMATURE_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+endfunction()
+
+# What our code is compiled with, and its tests are not.
+function(armature_instrument target)
+  if(ARMATURE_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)  # leads the fuzzer
+  endif()
+  if(ARMATURE_COVERAGE)
+    target_compile_options(${target} PRIVATE --coverage)
+  endif()
+  if(ARMATURE_ODR)
+    target_compile_options(${target} PRIVATE -flto -ffat-lto-objects)  # for the target armature_odr alone
+    set_property(GLOBAL APPEND PROPERTY ARMATURE_ODR_ARCHIVES $<TARGET_FILE:${target}>)
+  endif()
+endfunction()
+
+# Reads all our libraries as one and makes nothing of it: one name with two definitions is an error.
+function(armature_add_odr_check)
+  get_property(archives GLOBAL PROPERTY ARMATURE_ODR_ARCHIVES)
+  add_custom_command(
+    OUTPUT ${CMAKE_BINARY_DIR}/odr.o
+    COMMAND ${CMAKE_CXX_COMPILER} -flto=auto -O0 -Werror=odr -Werror=lto-type-mismatch -r -flinker-output=rel -nostdlib -o
+            odr.o -Wl,--whole-archive ${archives}
+    DEPENDS ${archives}
+    COMMENT "Looking for one name with two definitions"
+    VERBATIM)
+  add_custom_target(armature_odr DEPENDS ${CMAKE_BINARY_DIR}/odr.o)
 endfunction()

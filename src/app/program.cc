@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -16,6 +18,8 @@
 #include "base/console.h"
 #include "base/interrupt.h"
 #include "base/nearest_name.h"
+#include "base/standard_streams.h"
+#include "base/write_failure.h"
 
 namespace armature {
 namespace {
@@ -56,9 +60,7 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error,
   return Report(fmt::format("{}; see {} --help", error.what(), command), kBadInput);
 }
 
-}  // namespace
-
-int RunArmature(int argc, char** argv) {
+int RunCommand(int argc, char** argv) {
   cv::setNumThreads(1);  // times are of one thread
   CatchInterrupts();
   CLI::App app("Armature finds furniture in monocular video from line segments and puts it in the map.",
@@ -75,6 +77,22 @@ int RunArmature(int argc, char** argv) {
   } catch (...) {
     return ReportFailure(DescribeFailure(std::current_exception()));
   }
+}
+
+// What was printed last may still be on its way. That its reader has seen enough (`| head`) is no error of
+// ours.
+int EndOutput(int status) {
+  const int error = FlushStandardOutput();
+  if (error == 0) return status;
+  if (error == EPIPE) return SignalExitStatus(SIGPIPE);
+  return Report(WriteFailure("standard output", error), kFailed);
+}
+
+}  // namespace
+
+int RunArmature(int argc, char** argv) {
+  OpenStandardStreams();
+  return EndOutput(RunCommand(argc, argv));
 }
 
 }  // namespace armature

@@ -5,7 +5,7 @@
 namespace armature {
 
 // Runs the command of the arguments. The exit status: 0 done, 1 ran and failed, 2 bad usage or bad input, 130
-// and 143 interrupted.
+// 143 and 129 interrupted, 141 nobody reads standard output any more.
 int RunArmature(int argc, char** argv);
 
 }  // namespace armature

@@ -25,6 +25,7 @@ bool Redirect(int file, int standard) { return file < 0 || dup2(file, standard) 
 // After fork: nothing but system calls. Sends the error number when the program cannot be started.
 [[noreturn]] void Become(const ProgramCall& call, char* const* arguments, pid_t parent, int failure) {
   setpgid(0, 0);
+  for (const int ignored : {SIGPIPE, SIGXFSZ}) signal(ignored, SIG_DFL);  // by us, not by the program
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(kCannotStart);  // it ended in between
   const int input = call.input >= 0 ? call.input : open("/dev/null", O_RDONLY | O_CLOEXEC);

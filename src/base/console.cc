@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/printable.h"
+#include "base/standard_streams.h"
 
 namespace armature {
 namespace {
@@ -23,7 +24,7 @@ Verbosity program_verbosity = Verbosity::kNormal;
 const char* LineStart() { return StandardErrorScreen().is_terminal ? "\r\x1b[K" : ""; }
 
 void PrintLine(std::string_view line) {
-  fmt::print(stderr, "{}armature: {}\n", LineStart(), Printable(line));
+  PrintToStandardError(fmt::format("{}armature: {}\n", LineStart(), Printable(line)));
 }
 
 bool IsSet(const char* variable) {
@@ -55,8 +56,8 @@ void Detail(std::string_view line) {
 void PrintError(std::string line) {
   std::replace(line.begin(), line.end(), '\n', ' ');
   const bool red = StandardErrorScreen().colour;
-  fmt::print(stderr, "{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "", Printable(line),
-             red ? "\x1b[0m" : "");
+  PrintToStandardError(fmt::format("{}{}armature: {}{}\n", LineStart(), red ? "\x1b[31m" : "",
+                                   Printable(line), red ? "\x1b[0m" : ""));
 }
 
 void PrintResult(std::string_view text) { fmt::print("{}", PrintableLines(text)); }

@@ -13,8 +13,7 @@ volatile std::sig_atomic_t noted_signal = 0;
 
 void NoteSignal(int signal) {
   noted_signal = signal;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int ending : {SIGINT, SIGTERM, SIGHUP}) std::signal(ending, SIG_DFL);
 }
 
 std::string Message(const std::vector<std::string>& finished) {
@@ -29,6 +28,9 @@ Interrupted::Interrupted(const std::vector<std::string>& finished) : std::runtim
 void CatchInterrupts() {
   std::signal(SIGINT, NoteSignal);
   std::signal(SIGTERM, NoteSignal);
+  if (std::signal(SIGHUP, NoteSignal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int InterruptSignal() { return noted_signal; }

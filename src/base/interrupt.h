@@ -16,13 +16,15 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const std::vector<std::string>& finished = {});
 };
 
-// From now on the first SIGINT or SIGTERM is noted, the second ends the program at once.
+// From now on the first SIGINT, SIGTERM or SIGHUP (the terminal is gone; not under nohup) is noted, the
+// second ends the program at once. What no reader takes or no file may hold (SIGPIPE, SIGXFSZ) is an error of
+// that output, and does not end the program amid others.
 void CatchInterrupts();
 
 // The signal that was noted, 0 before.
 int InterruptSignal();
 
-// 130 of SIGINT, 143 of SIGTERM: what shells make of a program that a signal ends.
+// 130 of SIGINT, 143 of SIGTERM, 129 of SIGHUP: what shells make of a program that a signal ends.
 int SignalExitStatus(int signal);
 
 // Throws Interrupted once a signal was noted.

@@ -18,7 +18,8 @@ const std::vector<HelpEntry> kExitStatus = {
     {"0", "done"},
     {"1", "began and failed"},
     {"2", "bad usage or bad input: one line says where, what and the remedy"},
-    {"130, 143", "interrupted by Ctrl-C or SIGTERM; what was written is whole, the line says what"}};
+    {"130, 143, 129",
+     "interrupted by Ctrl-C, SIGTERM or a hang-up; what was written is whole, the line says what"}};
 
 std::string EntryText(const HelpEntry& entry) {
   return TwoColumns(entry.name, entry.meaning, {kNameColumn, kMeaningColumn, kColumns});

@@ -17,6 +17,7 @@
 #include "base/nearest_name.h"
 #include "base/number_format.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 #include "mapping/free_poses.h"
 #include "mapping/spanning_tree.h"
 #include "mapping/square_root_information.h"
@@ -306,18 +307,10 @@ G2oFile ReadG2o(const std::filesystem::path& file, G2oWeights weights) {
 
 void WriteG2o(const std::filesystem::path& file, const G2oFile& g2o,
               const std::vector<Eigen::Isometry3d>& poses) {
-  std::filesystem::path aside = file;
-  aside += ".partial";
-  std::ofstream stream(aside, std::ios::binary);
-  for (size_t i = 0; i < poses.size(); ++i) stream << VertexLine(g2o.ids[i], poses[i]) << '\n';
-  for (const std::string& line : g2o.other_lines) stream << line << '\n';
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(aside, file, error);
-  if (stream && !error) return;
-  std::filesystem::remove(aside, error);
-  throw InputError(
-      fmt::format("{}: cannot be written; does its folder exist and may it be written to?", file.string()));
+  std::string text;
+  for (size_t i = 0; i < poses.size(); ++i) text += VertexLine(g2o.ids[i], poses[i]) + "\n";
+  for (const std::string& line : g2o.other_lines) text += line + "\n";
+  AtomicWrite(file, text);
 }
 
 }  // namespace armature

@@ -85,6 +85,14 @@ void TellOrientation(const std::filesystem::path& file, int orientation) {
                        file.string(), orientation));
 }
 
+// As the name's ending says.
+std::string Encoded(const std::filesystem::path& name, const cv::Mat& picture) {
+  CheckPictureName(name);
+  std::vector<unsigned char> bytes;
+  cv::imencode(name.extension().string(), picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  return {bytes.begin(), bytes.end()};
+}
+
 }  // namespace
 
 ImageResult ReadImage(const std::filesystem::path& file) {
@@ -136,10 +144,11 @@ void CheckPictureName(const std::filesystem::path& file) {
 }
 
 void WritePicture(const std::filesystem::path& file, const cv::Mat& picture) {
-  CheckPictureName(file);
-  std::vector<unsigned char> bytes;
-  cv::imencode(file.extension().string(), picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
-  AtomicWrite(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  AtomicWrite(file, Encoded(file, picture));
+}
+
+void WritePictureInside(const std::filesystem::path& file, const cv::Mat& picture) {
+  WriteFile(file, Encoded(file, picture));
 }
 
 }  // namespace armature

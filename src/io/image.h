@@ -19,6 +19,9 @@ void CheckPictureName(const std::filesystem::path& file);
 // place cannot be written to.
 void WritePicture(const std::filesystem::path& file, const cv::Mat& picture);
 
+// The same in an OutputFolder.
+void WritePictureInside(const std::filesystem::path& file, const cv::Mat& picture);
+
 struct ImageResult {
   std::optional<cv::Mat> image;  // 8-bit BGR
   std::string error;             // "file: what is wrong; remedy", one line, when there is no image

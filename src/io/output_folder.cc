@@ -4,13 +4,23 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdio.h>  // NOLINT: renameat2 is Linux
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
 
 #include "base/errors.h"
+#include "base/write_failure.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kMostPartials = 100;  // more programs than write one folder at once
 
 // Links and a trailing '/' resolved, so that the folder itself can be renamed.
 fs::path Resolved(const fs::path& folder) {
@@ -22,12 +32,43 @@ fs::path Resolved(const fs::path& folder) {
   return resolved;
 }
 
-fs::path CreatePartial(const fs::path& folder) {
-  for (int number = 0;; ++number) {
-    fs::path partial = folder;
-    partial += fmt::format(".partial-{}", number);
-    if (fs::create_directory(partial)) return partial;  // false: another program has it
+// A partial folder is locked as long as its program lives.
+FileDescriptor Lock(const fs::path& folder) {
+  FileDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+  if (opened.number() < 0 || flock(opened.number(), LOCK_EX | LOCK_NB) != 0) return FileDescriptor(-1);
+  return opened;
+}
+
+fs::path PartialName(const fs::path& folder, int number) {
+  fs::path partial = folder;
+  return partial += fmt::format(".partial-{}", number);
+}
+
+// Those of programs that were killed. They may be whole: an older result, after the exchange.
+void RemoveLeftovers(const fs::path& folder) {
+  for (int number = 0; number < kMostPartials; ++number) {
+    const fs::path partial = PartialName(folder, number);
+    const FileDescriptor lock = Lock(partial);
+    std::error_code ignored;
+    if (lock.number() >= 0) fs::remove_all(partial, ignored);
   }
+}
+
+// Another program may take a new folder for a leftover until it is locked.
+FileDescriptor CreatePartial(const fs::path& folder, fs::path& partial) {
+  for (int number = 0; number < kMostPartials; ++number) {
+    partial = PartialName(folder, number);
+    if (!fs::create_directory(partial)) continue;  // another program has it
+    FileDescriptor lock = Lock(partial);
+    if (lock.number() >= 0 && fs::exists(partial)) return lock;
+  }
+  throw InputError(
+      fmt::format("{}: {} programs are writing it; wait for them", folder.string(), kMostPartials));
+}
+
+// All that was written into it is on the disk, in one call however many files it has.
+void Sync(const FileDescriptor& folder, const fs::path& name) {
+  if (syncfs(folder.number()) != 0) throw InputError(WriteFailure(name, errno));
 }
 
 // Both folders exist and change places, at once where the file system can.
@@ -56,16 +97,23 @@ void ReplaceFolder(const fs::path& from, const fs::path& to) {
   fs::remove_all(from, ignored);  // now the older one
 }
 
+bool IsPartial(const fs::path& folder) {
+  const std::string ending = folder.extension().string();
+  if (ending == ".partial") return true;
+  const std::string start = ".partial-";
+  return ending.starts_with(start) && ending.size() > start.size() && std::isdigit(ending[start.size()]) != 0;
+}
+
 OutputFolder::OutputFolder(const fs::path& folder, Replaceable replaceable)
     : replaceable_(std::move(replaceable)) {
   try {
     folder_ = Resolved(folder);
     CheckReplaceable(folder_, replaceable_);
     fs::create_directories(folder_.parent_path());
-    partial_ = CreatePartial(folder_);
+    RemoveLeftovers(folder_);
+    lock_ = CreatePartial(folder_, partial_);
   } catch (const fs::filesystem_error& error) {
-    throw InputError(fmt::format("{}: cannot be created ({}); choose a folder that may be written",
-                                 folder.string(), error.code().message()));
+    throw InputError(WriteFailure(folder, error.code().value()));
   }
 }
 
@@ -74,10 +122,27 @@ OutputFolder::~OutputFolder() {
   if (!partial_.empty()) fs::remove_all(partial_, ignored);
 }
 
+void OutputFolder::TakeOver() const {
+  constexpr auto kByName = fs::copy_options::recursive | fs::copy_options::copy_symlinks;
+  std::error_code failure;
+  fs::copy(folder_, partial_, kByName | fs::copy_options::create_hard_links, failure);
+  if (!failure) return;
+  fs::copy(folder_, partial_, kByName | fs::copy_options::overwrite_existing,
+           failure);  // no links on this disk
+  if (failure) throw InputError(WriteFailure(folder_, failure.value()));
+}
+
 void OutputFolder::Publish() {
   CheckReplaceable(folder_, replaceable_);
-  ReplaceFolder(partial_, folder_);
+  Sync(lock_, folder_);
+  try {
+    ReplaceFolder(partial_, folder_);
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(WriteFailure(folder_, error.code().value()));
+  }
   partial_.clear();
+  lock_ = FileDescriptor(-1);
+  SyncFolder(folder_.parent_path());
 }
 
 }  // namespace armature

@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "base/child_process.h"
+
 namespace armature {
 
 // Folders that may be overwritten.
@@ -22,11 +24,15 @@ void CheckReplaceable(const std::filesystem::path& folder, const Replaceable& re
 // Both are on one file system. Throws std::filesystem::filesystem_error.
 void ReplaceFolder(const std::filesystem::path& from, const std::filesystem::path& to);
 
+// Whether the name is one of those under which folders are written aside: they are no results, though they
+// may look like some when a program was killed.
+bool IsPartial(const std::filesystem::path& folder);
+
 class OutputFolder {
  public:
-  // Creates `folder`.partial-N beside the folder (and the folders around it). What is at `folder` stays as it
-  // is until Publish. Throws InputError when something is there that must not be replaced: anything but an
-  // empty folder or a replaceable one.
+  // Creates `folder`.partial-N beside the folder (and the folders around it), and removes those that programs
+  // which were killed have left there. What is at `folder` stays as it is until Publish. Throws InputError
+  // when something is there that must not be replaced: anything but an empty folder or a replaceable one.
   OutputFolder(const std::filesystem::path& folder, Replaceable replaceable);
   // Removes the partial folder if it was not published.
   ~OutputFolder();
@@ -37,14 +43,19 @@ class OutputFolder {
   const std::filesystem::path& partial() const { return partial_; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  // Puts what was written at `folder`, replacing an older one in one step where the file system can. Throws
-  // InputError as the constructor, std::runtime_error when the folder cannot be renamed.
+  // Takes over all files that are in `folder` now: by their names alone, so that they take no space. They are
+  // not to be changed, but may be replaced (AtomicWrite). Throws InputError.
+  void TakeOver() const;
+
+  // Sees to it that what was written is on the disk, and puts it at `folder`, replacing an older one in one
+  // step where the file system can. Throws InputError as the constructor, and when it cannot be done.
   void Publish();
 
  private:
   Replaceable replaceable_;
   std::filesystem::path folder_;
   std::filesystem::path partial_;  // empty once published
+  FileDescriptor lock_{-1};        // of the partial folder: its program lives
 };
 
 }  // namespace armature

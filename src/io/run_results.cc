@@ -11,6 +11,7 @@
 #include "io/csv.h"
 #include "io/json_fields.h"
 #include "io/json_file.h"
+#include "io/output_folder.h"
 #include "io/run_folder.h"
 #include "io/trajectory.h"
 
@@ -123,7 +124,7 @@ std::vector<std::filesystem::path> RunsIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> runs;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    if (IsCompleteRun(entry.path())) runs.push_back(entry.path());
+    if (!IsPartial(entry.path()) && IsCompleteRun(entry.path())) runs.push_back(entry.path());
   }
   if (runs.empty()) {
     throw InputError(

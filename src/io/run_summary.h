@@ -35,9 +35,9 @@ class StageStatistics {
 };
 
 // Every status, in the order of the enumeration.
-inline constexpr std::array kAllStatuses{EstimateStatus::kOk, EstimateStatus::kTooFewEdges,
+inline constexpr std::array kAllStatuses{EstimateStatus::kOk,           EstimateStatus::kTooFewEdges,
                                          EstimateStatus::kBehindCamera, EstimateStatus::kDiverged,
-                                         EstimateStatus::kOffTheBox, EstimateStatus::kRepeated};
+                                         EstimateStatus::kOffTheBox,    EstimateStatus::kRepeated};
 
 struct SkippedImage {
   double timestamp = 0;  // seconds

@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <set>
 
 #include "base/csv_fields.h"
+#include "base/errors.h"
 #include "base/number_format.h"
+#include "base/write_failure.h"
 #include "category/category_lookup.h"
+#include "io/atomic_write.h"
 #include "io/shape_evidence_csv.h"
 
 namespace armature {
@@ -16,15 +20,7 @@ namespace {
 constexpr size_t kMostSkippedListed = 100;
 
 void CheckWritten(const std::ofstream& stream, const std::filesystem::path& file) {
-  if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", file.string()));
-}
-
-void WriteFile(const std::filesystem::path& file, const std::string& content) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << content;
-  stream.close();
-  CheckWritten(stream, file);
+  if (!stream) throw InputError(WriteFailure(file, errno));
 }
 
 // tx,ty,tz,qx,qy,qz,qw

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 
 #include "base/errors.h"
 #include "base/nearest_name.h"
 #include "base/number_format.h"
 #include "base/text.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -172,11 +172,9 @@ std::string TumLine(const TimedPose& pose) {
 }
 
 void WriteTumTrajectory(const std::filesystem::path& file, const std::vector<TimedPose>& poses) {
-  std::ofstream stream(file);
-  stream << "# timestamp tx ty tz qx qy qz qw\n";
-  for (const TimedPose& pose : poses) stream << TumLine(pose) << '\n';
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const TimedPose& pose : poses) text += TumLine(pose) + "\n";
+  WriteFile(file, text);
 }
 
 TrajectoryFormat TrajectoryFormatFromName(const std::string& name) {

@@ -131,6 +131,16 @@ class Reproduction {
   std::vector<Table> tables_;
 };
 
+// Also when notes are not wanted. The first that failed: others may have needed it.
+void ReportFailed(const std::vector<JobRecord>& jobs, const fs::path& folder) {
+  const auto has_failed = [](const JobRecord& job) { return !job.HasSucceeded(); };
+  const auto first = std::find_if(jobs.begin(), jobs.end(), has_failed);
+  if (first == jobs.end()) return;
+  PrintError(fmt::format("{} of {} jobs failed or were not run, first {}: {}; their logs are in {}",
+                         std::count_if(jobs.begin(), jobs.end(), has_failed), jobs.size(), first->name,
+                         first->reason, (folder / "jobs").string()));
+}
+
 bool HasFailed(const std::vector<JobRecord>& jobs) {
   return std::any_of(jobs.begin(), jobs.end(), [](const JobRecord& job) { return !job.HasSucceeded(); });
 }
@@ -201,6 +211,7 @@ int RunReproduce(const ReproduceArguments& arguments) {
   results.Publish();
   PrintResult(FormatTables(reproduction.tables(), format));
   if (format == TableFormat::kText) PrintResult(WhereResultsAre(results, reproduction.done(), seconds));
+  ReportFailed(reproduction.done(), results.folder());
   return HasFailed(reproduction.done()) ? 1 : 0;
 }
 

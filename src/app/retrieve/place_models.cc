@@ -62,11 +62,11 @@ PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::pa
   return placed;
 }
 
-void WriteScene(const MapScene& scene, const std::filesystem::path& run) {
+void WriteScene(const MapScene& scene, const std::filesystem::path& folder) {
   const cv::Mat picture = DrawMap(scene);  // takes seconds, and may be interrupted
   // The comment is that of PCL, which wrote these files once: the same map is still the same bytes.
-  AtomicWrite(run / "map.ply", PlyText(SceneMesh(scene), PlyColours::kOfVertices, "PCL generated"));
-  WritePicture(run / "map.png", picture);
+  AtomicWrite(folder / "map.ply", PlyText(SceneMesh(scene), PlyColours::kOfVertices, "PCL generated"));
+  WritePicture(folder / "map.png", picture);
 }
 
 }  // namespace armature

@@ -19,7 +19,7 @@ struct PlacedScene {
 // it was fitted to the images, else at the object's pose. `root`: the library's folder of surfaces.
 PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::path& root);
 
-// map.ply and map.png in the run's folder.
-void WriteScene(const MapScene& scene, const std::filesystem::path& run);
+// map.ply and map.png in the folder.
+void WriteScene(const MapScene& scene, const std::filesystem::path& folder);
 
 }  // namespace armature

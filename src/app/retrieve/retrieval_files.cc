@@ -59,7 +59,7 @@ std::string WithInstances(const std::filesystem::path& file,
 
 }  // namespace
 
-void WriteRetrieval(const RunRetrieval& retrieval) {
+void WriteRetrieval(const RunRetrieval& retrieval, const std::filesystem::path& folder) {
   std::map<std::string, std::string> of_object;
   for (const ObjectInstances& found : retrieval.objects) {
     if (found.instances.empty()) continue;
@@ -67,8 +67,8 @@ void WriteRetrieval(const RunRetrieval& retrieval) {
         found.library->ids[static_cast<size_t>(found.instances.front().instance)];
   }
   const std::string objects = WithInstances(retrieval.run / "objects.csv", of_object);
-  AtomicWrite(retrieval.run / "retrieval.csv", RetrievalText(retrieval));
-  AtomicWrite(retrieval.run / "objects.csv", objects);
+  AtomicWrite(folder / "retrieval.csv", RetrievalText(retrieval));
+  AtomicWrite(folder / "objects.csv", objects);
 }
 
 }  // namespace armature

@@ -2,12 +2,14 @@
 // What `armature retrieve` leaves in a run's folder.
 #pragma once
 
+#include <filesystem>
+
 #include "app/retrieve/retrieve_run.h"
 
 namespace armature {
 
-// retrieval.csv in the run's folder, a row an object and instance, and the nearest instance's name in
-// objects.csv. Each file is replaced whole.
-void WriteRetrieval(const RunRetrieval& retrieval);
+// retrieval.csv, a row an object and instance, and the run's objects.csv with the nearest instance's name.
+// Each file is replaced whole.
+void WriteRetrieval(const RunRetrieval& retrieval, const std::filesystem::path& folder);
 
 }  // namespace armature

@@ -20,6 +20,7 @@
 #include "cli/printed_tables.h"
 #include "io/index_file.h"
 #include "io/library_file.h"
+#include "io/run_folder.h"
 #include "io/run_results.h"
 #include "io/text_table.h"
 
@@ -140,10 +141,19 @@ void NoteShortages(const RunRetrieval& run, const OpenLibrary& library, const Re
   }
 }
 
-void WritePlaced(const RunRetrieval& run, const fs::path& root) {
+void WritePlaced(const RunRetrieval& run, const fs::path& root, const fs::path& folder) {
   const PlacedScene placed = PlaceModels(run, root);
   for (const std::string& line : placed.missing) Note(line);
-  WriteScene(placed.scene, run.run);
+  WriteScene(placed.scene, folder);
+}
+
+// All files at once: beside the run's own in a folder that then takes its place.
+void WriteResults(const RunRetrieval& run, const RetrieveArguments& arguments, const fs::path& root) {
+  RunFolder results(run.run);
+  results.TakeOver();
+  if (arguments.place) WritePlaced(run, root, results.partial());
+  WriteRetrieval(run, results.partial());
+  results.Publish();
 }
 
 int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
@@ -160,8 +170,7 @@ int Retrieve(const RetrieveArguments& arguments, TableFormat format) {
   for (const fs::path& folder : folders) {
     runs.push_back(InterruptedAfter(finished, [&] {
       RunRetrieval run = RetrieveRun(folder, arguments.sequence, models, *library, options);
-      if (arguments.place) WritePlaced(run, library->library.root);
-      WriteRetrieval(run);
+      WriteResults(run, arguments, library->library.root);
       return run;
     }));
     finished.push_back(folder.string());

@@ -89,8 +89,12 @@ class Overlays {
   void Add(size_t index, const cv::Mat& image, const FrameResult& frame) {
     if (folder_.empty() && !video_) return;
     const cv::Mat overlay = DrawOverlay(Undistorted(image, camera_), frame, models_, camera_);
-    if (!folder_.empty()) WritePicture(folder_ / fmt::format("{:06}.jpg", index), overlay);
+    if (!folder_.empty()) WritePictureInside(folder_ / fmt::format("{:06}.jpg", index), overlay);
     if (video_) video_->Add(overlay);
+  }
+
+  void Finish() {
+    if (video_) video_->Finish();
   }
 
   void Publish() {
@@ -209,6 +213,7 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   Overlays overlays(sequence, settings, writer.partial());
   const FramePace pace = RunFrames(sequence, settings, pipeline, writer, overlays);
   ThrowIfInterrupted();
+  overlays.Finish();
   const std::optional<MapSummary> map = WriteMaps(pipeline, writer);
   ThrowIfInterrupted();
   writer.Finish({.sequence = sequence.name,

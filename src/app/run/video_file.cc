@@ -2,12 +2,19 @@
 #include "app/run/video_file.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 
 #include "app/run/video_module.h"
+#include "base/child_process.h"
 #include "base/errors.h"
+#include "base/write_failure.h"
+#include "io/atomic_write.h"
 
 namespace armature {
 namespace {
@@ -33,9 +40,24 @@ fs::path Aside(const fs::path& file) {
   return aside.replace_extension(".partial" + file.extension().string());
 }
 
-void CreateFolder(const fs::path& file) {
-  std::error_code error;  // shows when the video cannot be opened
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+// Encoders go to and fro in it.
+void CheckIsRegular(const fs::path& file) {
+  std::error_code absent;
+  const fs::file_status status = fs::status(file, absent);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return;
+  throw InputError(
+      fmt::format("{}: is no regular file, and a video needs one; choose another name", file.string()));
+}
+
+// Why nothing more can be written there; 0: it can.
+int FindWriteError(const fs::path& file) {
+  constexpr size_t kAsMuchAsAFrame = 1 << 20;
+  const FileDescriptor opened(open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  const std::string bytes(kAsMuchAsAFrame, '\0');
+  if (opened.number() < 0) return errno;
+  const ssize_t written = write(opened.number(), bytes.data(), bytes.size());
+  if (written < 0) return errno;
+  return static_cast<size_t>(written) < bytes.size() ? ENOSPC : 0;
 }
 
 }  // namespace
@@ -46,6 +68,7 @@ struct VideoFile::Module {
   decltype(&ArmatureOpenVideo) open = Find<decltype(&ArmatureOpenVideo)>("ArmatureOpenVideo");
   decltype(&ArmatureAddFrame) add = Find<decltype(&ArmatureAddFrame)>("ArmatureAddFrame");
   decltype(&ArmatureCloseVideo) close = Find<decltype(&ArmatureCloseVideo)>("ArmatureCloseVideo");
+  decltype(&ArmatureCountFrames) count = Find<decltype(&ArmatureCountFrames)>("ArmatureCountFrames");
 
   template <typename Function>
   Function Find(const char* name) const {
@@ -58,40 +81,50 @@ void CheckVideoName(const fs::path& file) {
   throw InputError(fmt::format("{}: the name of a video has to end with .mp4 or .avi", file.string()));
 }
 
-VideoFile::VideoFile(const fs::path& file, double fps, const cv::Size& size)
-    : file_(file), aside_(Aside(file)) {
+VideoFile::VideoFile(const fs::path& file, double fps, const cv::Size& size) : file_(BehindLinks(file)) {
   CheckVideoName(file);
+  CheckVideoName(file_);
+  CheckIsRegular(file_);
   module_ = std::make_unique<Module>();
-  CreateFolder(file);
+  aside_ = Aside(file_);
+  WriteFile(aside_, "");  // says why it cannot be
   video_ = module_->open(aside_.c_str(), fps, size.width, size.height);
   if (video_ != nullptr) return;
-  std::error_code ignored;
-  fs::remove(aside_, ignored);
-  throw InputError(
-      fmt::format("{}: cannot be written; choose a folder that may be written, or .avi where this OpenCV has "
-                  "no encoder for .mp4",
-                  file.string()));
+  const int error = FindWriteError(aside_);
+  fs::remove(aside_);
+  if (error != 0) throw InputError(WriteFailure(file_, error));
+  throw InputError(fmt::format("{}: this OpenCV has no encoder for {}; choose the other of .mp4 and .avi",
+                               file_.string(), file_.extension().string()));
 }
 
 VideoFile::~VideoFile() {
-  if (video_ == nullptr) return;
-  module_->close(video_);
+  Close();
   std::error_code ignored;
-  fs::remove(aside_, ignored);
+  if (!aside_.empty()) fs::remove(aside_, ignored);
 }
 
-void VideoFile::Add(const cv::Mat& frame) { module_->add(video_, &frame); }
+void VideoFile::Close() {
+  if (video_ != nullptr) module_->close(video_);
+  video_ = nullptr;
+}
+
+void VideoFile::Add(const cv::Mat& frame) {
+  module_->add(video_, &frame);
+  ++frames_;
+}
+
+void VideoFile::Finish() {
+  Close();
+  if (module_->count(aside_.c_str()) == frames_) return;
+  throw InputError(WriteFailure(file_, FindWriteError(aside_)));
+}
 
 void VideoFile::Publish() {
-  module_->close(video_);
-  video_ = nullptr;
-  std::error_code error;
-  fs::rename(aside_, file_, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(aside_, ignored);
-  throw InputError(
-      fmt::format("{}: cannot be written ({}); choose another name", file_.string(), error.message()));
+  const FileDescriptor written(open(aside_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fsync(written.number()) != 0 || std::rename(aside_.c_str(), file_.c_str()) != 0)
+    throw InputError(WriteFailure(file_, errno));
+  aside_.clear();
+  SyncFolder(file_.parent_path());
 }
 
 }  // namespace armature

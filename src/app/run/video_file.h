@@ -25,15 +25,21 @@ class VideoFile {
   // An 8-bit BGR frame of this size.
   void Add(const cv::Mat& frame);
 
-  // Puts the video in place. Throws InputError where it cannot be written.
+  // No more frames. Throws InputError when not all of them are in the file: the disk is full.
+  void Finish();
+
+  // Puts the finished video in place. Throws InputError where it cannot be written.
   void Publish();
 
  private:
   struct Module;
 
-  std::filesystem::path file_, aside_;
+  void Close();
+
+  std::filesystem::path file_, aside_;  // aside: empty once published
   std::unique_ptr<Module> module_;
   void* video_ = nullptr;  // null once it is closed
+  long frames_ = 0;
 };
 
 }  // namespace armature

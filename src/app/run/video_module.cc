@@ -28,4 +28,11 @@ void ArmatureAddFrame(void* video, const cv::Mat* frame) {
   static_cast<cv::VideoWriter*>(video)->write(*frame);
 }
 
+long ArmatureCountFrames(const char* file) {
+  cv::VideoCapture player(file);
+  long frames = 0;
+  while (player.grab()) ++frames;
+  return frames;
+}
+
 void ArmatureCloseVideo(void* video) { delete static_cast<cv::VideoWriter*>(video); }

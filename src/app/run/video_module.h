@@ -13,4 +13,6 @@ void* ArmatureOpenVideo(const char* file, double fps, int width, int height);
 // An 8-bit BGR frame of that size.
 void ArmatureAddFrame(void* video, const cv::Mat* frame);
 void ArmatureCloseVideo(void* video);
+// How many frames a player finds in the file: of an encoder's failures OpenCV says nothing.
+long ArmatureCountFrames(const char* file);
 }

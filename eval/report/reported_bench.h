@@ -27,7 +27,7 @@ struct StageBars {
   StackedBars bars;
 };
 
-struct BenchResults {
+struct ReportedBench {
   std::vector<Table> tables;     // their names are those of their sections: "comparison", "objects", ...
   std::vector<NamedSpan> spans;  // milliseconds
   std::vector<NamedRatio> ratios;
@@ -37,9 +37,9 @@ struct BenchResults {
 };
 
 // bench.json of the folder. Throws InputError: missing, unfinished or malformed.
-BenchResults ReadBenchResults(const std::filesystem::path& folder);
+ReportedBench ReadReportedBench(const std::filesystem::path& folder);
 
 // The median stages of the comparison's engines, an entry a sequence.
-std::vector<StageBars> MakeStageBars(const BenchResults& bench);
+std::vector<StageBars> MakeStageBars(const ReportedBench& bench);
 
 }  // namespace armature

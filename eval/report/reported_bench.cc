@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/report/bench_results.h"
+#include "eval/report/reported_bench.h"
 
 #include <fmt/format.h>
 
@@ -79,8 +79,8 @@ std::vector<std::pair<std::string, std::string>> ListEnvironment(const Json& env
           {"benchmark: compiler", fmt::format("{}, {}", text("compiler"), text("flags"))}};
 }
 
-BenchResults ReadResults(const Json& json) {
-  BenchResults results;
+ReportedBench ReadResults(const Json& json) {
+  ReportedBench results;
   for (const Json& ratio : JsonList(json, "ratios")) results.ratios.push_back(NamedRatioFromJson(ratio));
   results.curves = MakeCurves(json);
   results.objects = JsonField<size_t>(JsonObject(json, "settings"), "objects");
@@ -114,12 +114,12 @@ double& GetValue(const std::string& engine, const std::string& stage, StackedBar
 
 }  // namespace
 
-BenchResults ReadBenchResults(const std::filesystem::path& folder) {
+ReportedBench ReadReportedBench(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "bench.json";
   const Json json = ReadJsonObject(file, kBenchRemedy);
   if (!json.contains("complete") || json["complete"] != true)
     throw InputError(fmt::format("{}: is not a finished benchmark; {}", file.string(), kBenchRemedy));
-  BenchResults results;
+  ReportedBench results;
   try {
     results = ReadResults(json);
   } catch (const InputError& error) {
@@ -130,7 +130,7 @@ BenchResults ReadBenchResults(const std::filesystem::path& folder) {
   return results;
 }
 
-std::vector<StageBars> MakeStageBars(const BenchResults& bench) {
+std::vector<StageBars> MakeStageBars(const ReportedBench& bench) {
   std::vector<StageBars> all;
   for (const NamedSpan& span : bench.spans) {
     const bool is_engine = span.contender.find(':') != std::string::npos;  // not the calibration loop
