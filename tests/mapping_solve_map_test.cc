@@ -111,7 +111,7 @@ TEST(SolveMap, NoiseAveragesOut) {
   const Map map = Solve(world.Frames(kNoise), kExpected, {});
   ExpectTrueMap(map, world, 0.03, 1, 0.01);
   ASSERT_TRUE(map.scale_sigma);
-  EXPECT_LT(*map.scale_sigma, 0.05);
+  EXPECT_LT(*map.scale_sigma, 0.08);  // mostly what is unknown of the sizes of three objects
   EXPECT_LT(std::abs(std::log(map.MeanScale() / kUnit)), 3 * *map.scale_sigma);
 }
 
@@ -445,9 +445,7 @@ TEST(PlaceByOdometry, PlacesAnObjectThatOnlyUnsureViewsShow) {
 
 // --- While frames come in
 
-ObjectMap EmptyMap(const MappingOptions& options, bool odometry_is_metric = false) {
-  return {options, BoxOptions{}, ResectionOptions{}, odometry_is_metric};
-}
+ObjectMap EmptyMap(const MappingOptions& options) { return {options, BoxOptions{}, ResectionOptions{}}; }
 
 TEST(ObjectMap, HasACameraForEveryFrameAndObjectsAfterTheFirstSolution) {
   MapWorld world;
@@ -485,13 +483,78 @@ TEST(ObjectMap, InTheEndItIsTheMapOfAllFrames) {
   ExpectSameBytes(map.Solve(kExpected), Solve(frames, kExpected, {}));
 }
 
-TEST(ObjectMap, MetricOdometryHasNoScale) {
+TEST(ObjectMap, AScaleThatIsKnownIsHeld) {
   MapWorld world;
   FurnishRoom(world);
-  ObjectMap map = EmptyMap({}, true);
-  for (const MapFrame& frame : world.Frames({.unit = 1.1})) map.Add(frame, kExpected);
+  ObjectMap map = EmptyMap({});
+  for (const MapFrame& frame : world.Frames({.unit = 1.1})) map.Add(frame, {1, 0});
   EXPECT_EQ(map.current().MeanScale(), 1);
-  EXPECT_EQ(map.Solve(kExpected).MeanScale(), 1);
+  EXPECT_EQ(map.Solve({1, 0}).MeanScale(), 1);
+}
+
+// The frames of a way, to and fro.
+std::vector<MapFrame> ToAndFro(const std::vector<MapFrame>& way, size_t count) {
+  std::vector<MapFrame> frames;
+  for (size_t i = 0; i < count; ++i) {
+    const size_t at = i % (2 * way.size() - 2);
+    frames.push_back(way[at < way.size() ? at : 2 * way.size() - 2 - at]);
+    frames.back().timestamp = 0.2 * static_cast<double>(i);
+  }
+  return frames;
+}
+
+TEST(ObjectMap, ALongVideoOfOneRoomKeepsFewFramesAndTheTrueScale) {
+  MapWorld world;
+  FurnishRoom(world, 60);
+  const std::vector<MapFrame> frames = ToAndFro(world.Frames(kNoise), 700);
+  ObjectMap map = EmptyMap({});
+  for (const MapFrame& frame : frames) map.Add(frame, kExpected);
+  EXPECT_LT(map.frames().size(), 300u);
+  const Map whole = map.WithAllFrames(map.Solve(kExpected));
+  ASSERT_EQ(whole.T_world_camera.size(), frames.size());
+  ASSERT_EQ(whole.phi.size(), frames.size());
+  EXPECT_EQ(whole.objects.size(), 3u);
+  EXPECT_NEAR(std::log(whole.MeanScale() / kUnit), 0, 2 * *whole.scale_sigma);
+  int observations = 0, explained = 0;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(whole.timestamps[i], frames[i].timestamp);
+    ASSERT_EQ(whole.phi[i].size(), frames[i].observations.size());
+    observations += static_cast<int>(frames[i].observations.size());
+    for (const int object : whole.phi[i]) explained += object >= 0 ? 1 : 0;
+    const size_t at = i % 118;
+    const Eigen::Vector3d truth = world.T_world_camera[at < 60 ? at : 118 - at].translation();
+    EXPECT_LT((whole.T_world_camera[i].translation() - truth).norm(), 0.1) << i;
+  }
+  EXPECT_GT(explained, 0.95 * observations);
+}
+
+TEST(ObjectMap, AStepThatIsAJumpDoesNotTieCameras) {
+  MapWorld world;
+  FurnishRoom(world);
+  std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (size_t i = 20; i < frames.size(); ++i)
+    frames[i].T_odom_camera.pretranslate(Eigen::Vector3d(0.1, 0, 0.05));
+  const Map bent = Solve(frames, kExpected, {});
+  frames[20].follows_jump = true;
+  const Map map = Solve(frames, kExpected, {});
+  ExpectTrueMap(map, world, 0.05, 1, 0.05);
+  EXPECT_GT(TrajectoryError(bent.T_world_camera, world), TrajectoryError(map.T_world_camera, world));
+}
+
+TEST(ObjectMap, FramesSinceAChangeOfUnitAreBroughtBack) {
+  MapWorld world;
+  FurnishRoom(world, 20);
+  const std::vector<MapFrame> frames = world.Frames({});
+  const UnitChange change{frames[9].timestamp, frames[9].T_odom_camera.translation(), 2};
+  ObjectMap map = EmptyMap({});
+  for (size_t i = 0; i < frames.size(); ++i) {
+    MapFrame frame = frames[i];
+    if (i > 9) frame.T_odom_camera.translation() += frame.T_odom_camera.translation() - change.from;
+    map.Add(frame, {1, 0.1});
+  }
+  map.Undo(change);
+  for (size_t i = 0; i < frames.size(); ++i)
+    EXPECT_TRUE(map.frames()[i].T_odom_camera.isApprox(frames[i].T_odom_camera, 1e-12)) << i;
 }
 
 }  // namespace

@@ -145,10 +145,16 @@ TEST(FloorHeight, IsLearntFromWhatStandsOnIt) {
   EXPECT_NEAR(floor.Predict(6.1, 0.3)->camera_height, truth + 0.3, 0.05);  // the camera rose
 }
 
-// A camera that flies past a chair with an odometry in units of 2.5 metres.
-TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
+// A camera that flies past a chair, with an odometry in units of any length.
+class ObjectTracksInAnyUnit : public ::testing::TestWithParam<double> {};
+
+INSTANTIATE_TEST_SUITE_P(MetresAUnit, ObjectTracksInAnyUnit,
+                         ::testing::Values(1e-6, 1e-4, 0.01, 0.4, 2.5, 30, 1e3, 1e6),
+                         [](const auto& unit) { return std::to_string(unit.index); });
+
+TEST_P(ObjectTracksInAnyUnit, LearnTheScaleAndForeseeTheObject) {
   const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero(), 0.0);
-  const double scale = 2.5;
+  const double scale = GetParam();
   ObjectTracks tracks{TrackOptions{}};
   ObjectView view = synthetic.view;
   const Eigen::Isometry3d T_world_object = synthetic.truth.T_camera_object;  // the first camera is the world
@@ -166,6 +172,7 @@ TEST(ObjectTracks, LearnTheScaleAndForeseeTheObject) {
     PoseAndShape seen{T.inverse() * T_world_object, synthetic.truth.coefficients};
     view.detection.azimuth =
         ViewpointFromRotation(seen.T_camera_object.linear(), seen.T_camera_object.translation()).azimuth;
+    tracks.Follow(0.1 * frame, odometry_of(T));
     tracks.Update(frame == 0 ? kNoTrack : 0, 0.1 * frame, view, MeasuredAs(seen), odometry_of(T));
     tracks.Solve(0.1 * frame);
   }
@@ -206,6 +213,42 @@ TEST(ObjectTracks, PriorsTurnedByHalfATurnAreOutvoted) {
   const double yaw = std::atan2(front.dot(memory->yaw_quarter), front.dot(memory->yaw_zero));
   EXPECT_LT(memory->belief.At(yaw), 1);
   EXPECT_GT(memory->belief.At(yaw + M_PI), 3);
+}
+
+TEST(FramePipeline, ADetectionGivenThriceIsSeenOnce) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt);
+  std::vector<Detection> thrice(3, synthetic.view.detection);
+  thrice[0].score = 0.5;
+  thrice[1].score = 0.9;
+  thrice[2].score = 0.4;
+  thrice[2].box.x += 4;
+  Detection beside = synthetic.view.detection;
+  beside.box.x += 0.3 * beside.box.width;
+  thrice.push_back(beside);
+  const FrameResult frame =
+      pipeline.Process(cv::Mat::zeros(480, 856, CV_8U), {0.0, thrice, Eigen::Isometry3d::Identity()});
+  ASSERT_EQ(frame.observations.size(), 4u);
+  EXPECT_EQ(frame.observations[0].estimate.status, EstimateStatus::kRepeated);
+  EXPECT_NE(frame.observations[1].estimate.status, EstimateStatus::kRepeated);
+  EXPECT_EQ(frame.observations[2].estimate.status, EstimateStatus::kRepeated);
+  EXPECT_NE(frame.observations[3].estimate.status, EstimateStatus::kRepeated);
+}
+
+// The world is the odometry's frame in metres, wherever its origin is.
+TEST(FramePipeline, TheFirstCameraStandsWhereTheOdometryHasIt) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FramePipeline pipeline(Options{}, synthetic.camera, {synthetic.model}, std::nullopt, true);
+  const cv::Mat black = cv::Mat::zeros(480, 856, CV_8U);
+  const Eigen::Vector3d start(5e5, 5.4e6, 120);
+  for (int frame = 0; frame < 3; ++frame) {
+    const Eigen::Vector3d position = start + Eigen::Vector3d(0.1 * frame, 0, 0);
+    pipeline.Process(black, {0.1 * frame, {}, Eigen::Isometry3d(Eigen::Translation3d(position))});
+  }
+  const auto maps = pipeline.SolveMaps();
+  ASSERT_TRUE(maps);
+  EXPECT_LT((maps->map.T_world_camera[0].translation() - start).norm(), 1e-6);
+  EXPECT_NEAR(maps->map.T_world_camera[2].translation().x(), start.x() + 0.2, 1e-6);
 }
 
 TEST(FramePipeline, AFrameWithoutDetectionsHasNoObservations) {

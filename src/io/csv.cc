@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kMostColumns = 1000;  // tables of this project have at most 20
 
-constexpr size_t kMostFields = 10 * kMostColumns;  // commas in quoted fields are counted, too
+constexpr size_t kMostCommas = 10 * kMostColumns;  // commas in quoted fields are counted, too
 
 // At most; those in quotes are none.
 size_t CountFields(const std::string& line) {
@@ -58,7 +58,7 @@ CsvTable::CsvTable(std::filesystem::path file, const std::vector<std::string>& r
       continue;
     }
     std::vector<std::string> fields;
-    if (most_fields <= kMostFields) fields = SplitCsvFields(line.text);
+    if (most_fields <= kMostCommas) fields = SplitCsvFields(line.text);
     if (fields.size() != header_.size()) {
       throw InputError(fmt::format(
           "{}:{}: {} fields where the header has {}; fill the row or leave fields empty", file_.string(),
