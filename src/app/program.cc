@@ -24,7 +24,7 @@
 namespace armature {
 namespace {
 
-constexpr int kBadInput = 2;
+constexpr int kFailed = 1, kBadInput = 2;
 
 int Report(std::string message, int status) {
   PrintError(std::move(message));

@@ -25,7 +25,7 @@
 namespace armature {
 namespace {
 
-constexpr double kQuaternionTolerance = 1e-3;
+constexpr double kQuaternionTolerance = 0.02;  // of its length: written with two digits
 constexpr size_t kPoseNumbers = 7, kInformationNumbers = 21;
 const std::string kVertex = "VERTEX_SE3:QUAT", kEdge = "EDGE_SE3:QUAT", kFix = "FIX";
 

@@ -17,6 +17,7 @@ namespace armature {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;
+constexpr double kLengthTolerance = 0.02;  // of a quaternion: real files have some of 1.004
 
 // How a format's lines look. A pose of a format with commas may have further fields.
 struct LineLayout {
@@ -87,7 +88,7 @@ TrajectoryFormat DetectFormat(const Fields& first, const std::string& where) {
 }
 
 Eigen::Matrix3d RotationFrom(const Eigen::Quaterniond& q, const std::string& where, const char* order) {
-  if (std::abs(q.norm() - 1) > kRotationTolerance) {
+  if (std::abs(q.norm() - 1) > kLengthTolerance) {
     throw InputError(fmt::format("{}: the quaternion has length {:.6g}, not 1; write {} of a unit quaternion",
                                  where, q.norm(), order));
   }
