@@ -10,7 +10,7 @@ namespace {
 // Of cameras in rooms, metres a second, and the standard deviation of its logarithm. The videos at hand have
 // 0.25 to 1, but too slow is the safe side: tracks then follow the camera's rotation, and are lost to one
 // that is believed to travel where it does not.
-const double kLogSpeed = std::log(0.15);
+const double kLogSpeed = std::log(0.08);
 constexpr double kLogSpeedSigma = 3;
 constexpr double kWaypointSeconds = 1;  // between positions that the way is measured by: trembling is no way
 constexpr double kFadingOfUnits = 0.995;  // weight of what was known before, with each new observation
