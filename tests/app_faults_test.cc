@@ -46,6 +46,7 @@ struct Command {
 // A scene, a run of it and a library: what the commands are of.
 void FillFolder(const TempFolder& folder) {
   testing::CopySmallScene(folder, 4);
+  folder.Write("den_scene.yaml", testing::kSmallScene);
   testing::RunOk({"run", folder / "out/den", "--out", folder / "run", "--set", "mapping.min_observations=2"});
   std::vector<CadInstance> few = DrawCollection({.chairs = 0, .tables = 3, .laptops = 3});
   fs::create_directories(folder / "cad");

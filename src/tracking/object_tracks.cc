@@ -24,7 +24,9 @@ constexpr double kTrackShapeSigma = 0.5;  // added to one view's coefficients, s
 // A remembered position (share of the distance), yaw (degrees) and coefficient are never surer than this.
 constexpr double kLeastRelativeSigma = 0.03, kLeastYawSigmaDeg = 2, kLeastShapeSigma = 0.4;
 constexpr int kObservationsBeforeUse = 2;
-constexpr double kVoteWeight = 0.6;  // of one viewpoint prior; neighbouring frames' are alike
+constexpr double kLeastSigmasOfGuess = 3;  // of the unit, by which it is not nothing
+constexpr double kCaution = 2;             // and then rather too slow: see OdometryUnit
+constexpr double kVoteWeight = 0.6;        // of one viewpoint prior; neighbouring frames' are alike
 constexpr double kVoteSigma = 12 * kDegree;
 constexpr double kVoteOutliers = 0.05;
 
@@ -59,6 +61,13 @@ struct HorizontalAxes {
     return R;
   }
 };
+
+// The normal equations of a track's z, with the category's shape statistics.
+Eigen::LLT<Eigen::MatrixXd> Factorised(Eigen::MatrixXd normal) {
+  normal.diagonal().tail(normal.rows() - 4).array() += 1;
+  normal.diagonal().head<4>().array() += 1e-6;
+  return Eigen::LLT<Eigen::MatrixXd>(normal);
+}
 
 }  // namespace
 
@@ -228,9 +237,12 @@ void ObjectTracks::Accumulate(Track& track, const SingleViewResult& result,
       weight / (std::pow(kMeasurementScale, 2) / result.measured.shape_prior_information +
                 std::pow(kTrackShapeSigma, 2));
   track.normal = kFading * track.normal + A.transpose() * without_prior * A;
+  const Eigen::VectorXd by_camera = information.leftCols<3>() * T_odom_camera.translation();
   track.right_side = kFading * track.right_side + A.transpose() * information * y;
-  track.of_cameras =
-      kFading * track.of_cameras + A.transpose() * information.leftCols<3>() * T_odom_camera.translation();
+  track.of_cameras = kFading * track.of_cameras + A.transpose() * by_camera;
+  track.camera_squares =
+      kFading * track.camera_squares + by_camera.head<3>().dot(T_odom_camera.translation());
+  track.camera_products = kFading * track.camera_products + by_camera.dot(y - A.col(n));
 }
 
 // log |t| = -log u + log |q(u) - c|: what the baseline triangulates against what the object's size says. The
@@ -280,10 +292,7 @@ void ObjectTracks::TurnToBelief(Track& track) const {
 void ObjectTracks::SolveTrack(Track& track) const {
   const double u = unit_.units_a_metre();
   const int n = track.unknowns();
-  Eigen::MatrixXd zz = track.normal.topLeftCorner(n, n);
-  zz.diagonal().tail(n - 4).array() += 1;  // the category's shape statistics
-  zz.diagonal().head<4>().array() += 1e-6;
-  const Eigen::LLT<Eigen::MatrixXd> factor(zz);
+  const Eigen::LLT<Eigen::MatrixXd> factor = Factorised(track.normal.topLeftCorner(n, n));
   const Eigen::VectorXd by_unit = -factor.solve(track.normal.topRightCorner(n, 1));
   track.state = factor.solve(track.right_side.head(n) + track.of_cameras.head(n) / u) + by_unit;
   track.state.head<3>() *= u;
@@ -297,8 +306,27 @@ void ObjectTracks::Follow(double timestamp, const Eigen::Isometry3d& T_odom_came
   for (Track& track : tracks_) SolveTrack(track);
 }
 
+// Until objects have told the unit: metres a unit, s, by least squares over all tracks. In metres the
+// equations are linear in s, too: z - s h = d. Noise shrinks what they give, but not by much.
+void ObjectTracks::GuessUnit() {
+  double information = 0, right_side = 0;
+  for (const Track& track : tracks_) {
+    const int n = track.unknowns();
+    if (track.observations < kObservationsBeforeUse) continue;
+    const Eigen::VectorXd H = track.of_cameras.head(n);
+    const Eigen::VectorXd D = track.right_side.head(n) - track.normal.topRightCorner(n, 1);
+    const Eigen::VectorXd by_z = Factorised(track.normal.topLeftCorner(n, n)).solve(H);
+    information += track.camera_squares - H.dot(by_z);
+    right_side += D.dot(by_z) - track.camera_products;
+  }
+  if (right_side * right_side < kLeastSigmasOfGuess * kLeastSigmasOfGuess * information || right_side <= 0)
+    return;
+  unit_.Guess(std::log(kCaution * information / right_side));
+}
+
 void ObjectTracks::Solve(double timestamp) {
   std::erase_if(tracks_, [&](const Track& track) { return timestamp - track.last_seen > options_.max_gap; });
+  GuessUnit();
   unit_.Update();
   for (Track& track : tracks_) {
     SolveTrack(track);

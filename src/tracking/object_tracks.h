@@ -84,6 +84,9 @@ class ObjectTracks {
     Eigen::MatrixXd normal;      // (5+B) x (5+B), metres
     Eigen::VectorXd right_side;  // 5+B, of yaw and lambda
     Eigen::VectorXd of_cameras;  // 5+B, the right side that the cameras give, times u
+    // With h the camera's position, d what was measured and P its information: the sums of h^T P h and h^T P
+    // d.
+    double camera_squares = 0, camera_products = 0;
     Eigen::VectorXd state;       // 4+B: q, yaw, lambda
     Eigen::MatrixXd covariance;  // (4+B) x (4+B), given u
     Eigen::VectorXd by_units;    // 4+B: derivative of the state by u
@@ -101,6 +104,7 @@ class ObjectTracks {
   Track& AddTrack(const CategoryModel& model);
   const Track* FindTrack(int id) const;
   void SolveTrack(Track& track) const;
+  void GuessUnit();
   PoseAndShape Expected(const Track& track, const Eigen::Isometry3d& T_odom_camera,
                         const Eigen::Vector3d& up_odom) const;
   void Accumulate(Track& track, const SingleViewResult& result, const Eigen::Isometry3d& T_odom_camera);

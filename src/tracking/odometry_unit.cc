@@ -28,21 +28,30 @@ void OdometryUnit::Follow(double timestamp, const Eigen::Isometry3d& T_odom_came
     waypoint_ = {timestamp, T_odom_camera.translation()};
   }
   if (travelled <= 0 || seconds <= 0) return;
-  const double by_speed = std::log(travelled / seconds) - kLogSpeed;
+  if (is_by_speed_) MoveGuess(std::log(travelled / seconds) - kLogSpeed);
+}
+
+void OdometryUnit::Guess(double log_units) {
+  if (is_metric_) return;
+  is_by_speed_ = false;
+  MoveGuess(log_units);
+}
+
+void OdometryUnit::MoveGuess(double log_units) {
   if (information_ == 0) {  // the first motion
-    information_ = speed_information_ = 1 / (kLogSpeedSigma * kLogSpeedSigma);
-    log_units_ = by_speed;
+    information_ = guess_information_ = 1 / (kLogSpeedSigma * kLogSpeedSigma);
+    log_units_ = log_units;
   } else {
-    log_units_ += speed_information_ / information_ * (by_speed - log_units_by_speed_);
+    log_units_ += guess_information_ / information_ * (log_units - guess_);
   }
-  log_units_by_speed_ = by_speed;
+  guess_ = log_units;
   Update();
 }
 
 void OdometryUnit::Learn(double error, double slope, double variance) {
   if (is_metric_ || information_ == 0) return;
   const double gained = slope * slope / (variance * (1 + error * error / (6 * variance)));
-  speed_information_ *= kFadingOfUnits;
+  guess_information_ *= kFadingOfUnits;
   information_ = kFadingOfUnits * information_ + gained;
   log_units_ -= gained / information_ * error / std::max(slope, 0.05);
 }

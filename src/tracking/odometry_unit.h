@@ -20,6 +20,9 @@ class OdometryUnit {
   // Where the camera is now; the more it has gone by then, the more its speed tells.
   void Follow(double timestamp, const Eigen::Isometry3d& T_odom_camera);
 
+  // A better guess than the speed, of the logarithm of units a metre; it takes the speed's place.
+  void Guess(double log_units);
+
   // What an object tells: its logarithm of distance is off by `error` (0 if the unit is right), with the
   // derivative `slope` by the unit's logarithm, 0..1, and a variance.
   void Learn(double error, double slope, double variance);
@@ -32,12 +35,15 @@ class OdometryUnit {
   ScaleEstimate Scale() const;
 
  private:
+  void MoveGuess(double log_units);
+
   bool is_metric_ = false;
   double units_ = 1;      // as of the last frame
   double log_units_ = 0;  // logarithm of units a metre
   double information_ = 0;
-  double speed_information_ = 0;  // its part that the speed gave, which moves with it
-  double log_units_by_speed_ = 0;
+  double guess_information_ = 0;  // its part that the guess gave, which moves with it
+  double guess_ = 0;
+  bool is_by_speed_ = true;
   double travelled_ = 0, seconds_ = 0;  // units and seconds from the start to the waypoint
   struct Waypoint {
     double timestamp = 0;
