@@ -18,6 +18,10 @@ namespace {
 // Intersection over union of two boxes that are one detection twice. Neighbouring chairs in a row stay below.
 constexpr double kRepeatedOverlap = 0.85;
 
+// Metres from frame to frame by which the camera may rise unknown, for the unit is not known, and still be
+// said not to climb.
+constexpr double kUnknownClimb = 0.005;
+
 std::vector<std::shared_ptr<const CategoryModel>> Share(std::vector<CategoryModel> models) {
   std::vector<std::shared_ptr<const CategoryModel>> shared;
   for (CategoryModel& model : models)
@@ -278,9 +282,12 @@ std::optional<FramePipeline::FinalMaps> FramePipeline::SolveMaps() const {
 std::optional<double> FramePipeline::ClimbSinceLastFrame(const FrameInput& input, const UpEstimate& up) {
   const std::optional<Eigen::Isometry3d> last = std::exchange(last_T_odom_camera_, input.T_odom_camera);
   const ScaleEstimate scale = tracks_.Scale();
-  if (!options_.tracks.enabled || !last || !input.T_odom_camera || !scale.IsKnown()) return std::nullopt;
+  if (!options_.tracks.enabled || !last || !input.T_odom_camera) return std::nullopt;
   const Eigen::Vector3d up_odom = input.T_odom_camera->linear() * up.up_camera;
-  return scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
+  const double climb = scale.scale * up_odom.dot(input.T_odom_camera->translation() - last->translation());
+  // A camera that only turns does not climb, whatever the unit is.
+  if (!scale.IsKnown() && scale.sigma * std::abs(climb) > kUnknownClimb) return std::nullopt;
+  return climb;
 }
 
 UpEstimate FramePipeline::PredictUp(const FrameInput& input, const std::vector<Segment>& segments) {
