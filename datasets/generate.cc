@@ -77,8 +77,8 @@ cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
       SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera, studio.noise, seed);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
-    frame->edges.push_back(TrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
-                                     object.T_world_object, scene.camera, frame->T_world_camera));
+    frame->edges.push_back(FindTrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
+                                         object.T_world_object, scene.camera, frame->T_world_camera));
   }
   return Develop(picture.radiance, scene.effects, StreamSeed(scene.seed, kEffects), index);
 }

@@ -26,8 +26,8 @@ PlacedMesh Board(double left, double right, double near, int object) {
 }
 
 std::vector<TrueEdge> Edges(std::vector<PlacedMesh> meshes, const Camera& camera = kEdgeCamera) {
-  return TrueEdges(RayScene(std::move(meshes)), 1, OneEdge(), Eigen::Isometry3d::Identity(), camera,
-                   Eigen::Isometry3d::Identity());
+  return FindTrueEdges(RayScene(std::move(meshes)), 1, OneEdge(), Eigen::Isometry3d::Identity(), camera,
+                       Eigen::Isometry3d::Identity());
 }
 
 TEST(TrueEdges, AreWhereTheyProjectInTheirSense) {

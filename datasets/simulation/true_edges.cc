@@ -24,9 +24,9 @@ bool IsSeen(const RayScene& rays, int object, const Eigen::Vector3d& camera_worl
 
 }  // namespace
 
-std::vector<TrueEdge> TrueEdges(const RayScene& rays, int object, const Wireframe& wireframe,
-                                const Eigen::Isometry3d& T_world_object, const Camera& camera,
-                                const Eigen::Isometry3d& T_world_camera) {
+std::vector<TrueEdge> FindTrueEdges(const RayScene& rays, int object, const Wireframe& wireframe,
+                                    const Eigen::Isometry3d& T_world_object, const Camera& camera,
+                                    const Eigen::Isometry3d& T_world_camera) {
   const Box image{-0.5, -0.5, static_cast<double>(camera.width), static_cast<double>(camera.height)};
   ProjectedWireframe projected;
   ProjectEdges(camera, wireframe, T_world_camera.inverse() * T_world_object, image, projected);

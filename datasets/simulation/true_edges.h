@@ -20,8 +20,8 @@ struct TrueEdge {
 
 // The edges that are partly in the image. A point of an edge is seen when the ray to it meets nothing before
 // it but the object's own surface at most 6 cm in front of it: edges run inside of legs and posts.
-std::vector<TrueEdge> TrueEdges(const RayScene& rays, int object, const Wireframe& wireframe,
-                                const Eigen::Isometry3d& T_world_object, const Camera& camera,
-                                const Eigen::Isometry3d& T_world_camera);
+std::vector<TrueEdge> FindTrueEdges(const RayScene& rays, int object, const Wireframe& wireframe,
+                                    const Eigen::Isometry3d& T_world_object, const Camera& camera,
+                                    const Eigen::Isometry3d& T_world_camera);
 
 }  // namespace armature
