@@ -158,7 +158,7 @@ const std::vector<ReaderTarget>& ReaderTargets() {
       {"training", "specification.yaml", [](const fs::path& f) { LoadTrainingSpec(f); }},
       {"options", "options.yaml", ReadTheOptions},
       {"setting", "setting.txt", ReadTheSetting},
-      {"matrix", "matrix.yaml", [](const fs::path& f) { ReadMatrix(f, true); }},
+      {"matrix", "matrix.yaml", [](const fs::path& f) { ReadMatrix(f, {.fast = true}); }},
       {"scene", "scene.yaml", [](const fs::path& f) { ReadScene(f, testing::BlockCollection()); }},
       {"config", "run/config.yaml", ReadConfig},
       {"summary", "run/summary.json", [](const fs::path& f) { IdentifyRun(f.parent_path()); }},
