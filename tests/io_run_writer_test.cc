@@ -204,7 +204,7 @@ TEST_F(RunWriterTest, LeavesForeignFoldersAlone) {
   ExpectInputError([&] { WriteRun(folder_ / "broken"); }, {"broken"});
   folder_.Write("file", "precious");
   ExpectInputError([&] { WriteRun(folder_ / "file"); }, {"file", "not a finished run"});
-  ExpectInputError([&] { WriteRun(folder_ / "file/run"); }, {"file/run", "cannot be created"});
+  ExpectInputError([&] { WriteRun(folder_ / "file/run"); }, {"file/run", "is a file"});
   EXPECT_EQ(ReadFile(folder_ / "photos/holiday.jpg"), "precious");
   EXPECT_EQ(ReadFile(folder_ / "file"), "precious");
   EXPECT_EQ(Names().size(), 4u);

@@ -506,10 +506,10 @@ std::vector<MapFrame> ToAndFro(const std::vector<MapFrame>& way, size_t count) {
 TEST(ObjectMap, ALongVideoOfOneRoomKeepsFewFramesAndTheTrueScale) {
   MapWorld world;
   FurnishRoom(world, 60);
-  const std::vector<MapFrame> frames = ToAndFro(world.Frames(kNoise), 700);
+  const std::vector<MapFrame> frames = ToAndFro(world.Frames(kNoise), 290);
   ObjectMap map = EmptyMap({});
   for (const MapFrame& frame : frames) map.Add(frame, kExpected);
-  EXPECT_LT(map.frames().size(), 300u);
+  EXPECT_LT(map.frames().size(), 270u);
   const Map whole = map.WithAllFrames(map.Solve(kExpected));
   ASSERT_EQ(whole.T_world_camera.size(), frames.size());
   ASSERT_EQ(whole.phi.size(), frames.size());
