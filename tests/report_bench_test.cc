@@ -154,7 +154,7 @@ TEST_F(ReportBench, AMissingKeyIsNamed) {
 TEST_F(ReportBench, BadFilesAreRefused) {
   testing::ExpectInputError([&] { ReadReportedBench(folder_ / "none"); }, {"none/bench.json"});
   json_["series"][0].erase("points");
-  ExpectRefusedBench({"bench.json", "is malformed", "points", "armature bench"});
+  ExpectRefusedBench({"bench.json", "has to be", "points", "armature bench"});
   json_["complete"] = false;
   ExpectRefusedBench({"bench.json", "is not a finished benchmark", "armature bench"});
   folder_.Write("bench.json", "{");

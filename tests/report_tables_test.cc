@@ -157,8 +157,7 @@ TEST_F(ReportTableFiles, EnvironmentOfRunsIsMerged) {
                                     {"eigen", "3.4.0"}};
   EXPECT_EQ(all, expected);
   folder_.Write("a/summary.json", R"({"git": {"commit": 7}})");
-  ExpectInputError([&] { RunEnvironment(folder_ / "a"); },
-                   {"a/summary.json", "is malformed", "armature run"});
+  ExpectInputError([&] { RunEnvironment(folder_ / "a"); }, {"a/summary.json", "has to be", "armature run"});
 }
 
 }  // namespace
