@@ -212,7 +212,7 @@ TEST(EvalTrajectories, BadInput) {
   ExpectBadInput({"eval", run, "--groundtruth", truth, "--first-n", "0"}, {"--first-n 0"});
   ExpectBadInput({"eval", run, "--groundtruth", truth, "--tolerance", "-1"}, {"--tolerance -1"});
   ExpectBadInput({"eval", run, "--groundtruth", truth, "--rpe-delta", "1 mile"}, {"'1 mile'", "0.5m"});
-  ExpectBadInput({"eval", run, "--groundtruth", truth, "--raw-trajectory", desk.folder / "no/raw.csv"},
+  ExpectBadInput({"eval", run, "--groundtruth", truth, "--raw-trajectory", run + "/summary.json/raw.csv"},
                  {"raw.csv", "cannot be written"});
   ExpectBadInput({"eval", file}, {"--groundtruth", "one true trajectory"});
   ExpectBadInput({"eval", file, "--groundtruth", file, "--trajectory-format", "kitti"},
