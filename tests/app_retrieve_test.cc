@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "datasets/cad/collection_files.h"
 #include "io/csv.h"
@@ -54,10 +55,6 @@ void FillWithSmallRun(const TempFolder& folder) {
 
 class RetrieveSmallScene : public ::testing::Test {
  protected:
-  void SetUp() override {
-    for (const TrueObject& object : LoadGroundTruth(folder_ / "out/den").objects)
-      true_of_[object.category] = object.instance;
-  }
   ProgramResult Retrieve(const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"retrieve", run_, "--library", library_};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -80,7 +77,6 @@ class RetrieveSmallScene : public ::testing::Test {
 
   const TempFolder& folder_ = SmallRun();
   std::string run_ = folder_ / "run", library_ = folder_ / "furniture.armlib";
-  std::map<std::string, std::string> true_of_;  // instance by category
 };
 
 TEST_F(RetrieveSmallScene, NamesAndPlacesTheNearestModels) {
