@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 failed=0
 scripts/setup.sh tests || exit 1
 scripts/fuzz.sh all "${1:-150}" || failed=1
-scripts/build.sh release app_program_tests || exit 1
+scripts/build.sh release faults_program_tests || exit 1
 ARMATURE_KILLS=30 ARMATURE_KILL_SEED=$(date +%Y%m%d) \
-  build/release/tests/app_program_tests --gtest_filter='AppFaults.*' || failed=1
+  build/release/tests/faults_program_tests --gtest_filter='Faults.*' || failed=1
 exit "$failed"

@@ -506,7 +506,7 @@ std::vector<MapFrame> ToAndFro(const std::vector<MapFrame>& way, size_t count) {
 TEST(ObjectMap, ALongVideoOfOneRoomKeepsFewFramesAndTheTrueScale) {
   MapWorld world;
   FurnishRoom(world, 60);
-  const std::vector<MapFrame> frames = ToAndFro(world.Frames(kNoise), 290);
+  const std::vector<MapFrame> frames = ToAndFro(world.Frames(kNoise), 2000);
   ObjectMap map = EmptyMap({});
   for (const MapFrame& frame : frames) map.Add(frame, kExpected);
   EXPECT_LT(map.frames().size(), 270u);

@@ -36,7 +36,7 @@ InstanceLibrary MakeLibrary(const CategoryModel& model, const Eigen::MatrixXf& c
   CategoryInstances instances{.category = model.spec.name, .model_checksum = ModelChecksum(model)};
   const Eigen::Index count = coefficients.cols();
   instances.coefficients = coefficients;
-  instances.sizes = coefficients.topRows<3>();
+  instances.sizes = coefficients.topRows<3>().cwiseAbs();
   instances.edges = coefficients.replicate(kEdges, 1).topRows(6 * kEdges);
   instances.size_sigmas = Eigen::VectorXf::Zero(count);
   instances.T_object_geometry = coefficients.replicate(2, 1).topRows<12>();
