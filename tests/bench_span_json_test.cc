@@ -93,10 +93,10 @@ TEST_F(SpanJson, RefusesMissingAndMistypedMembers) {
   ExpectRefused(json.dump(), {"bench.json", "p90"});
   json = JsonOfRecord();
   json["spans"][0]["median"] = "fast";
-  ExpectRefused(json.dump(), {"bench.json", "must be number"});
+  ExpectRefused(json.dump(), {"bench.json", "'median' has to be a number"});
   json = JsonOfRecord();
   json["spans"] = 3;
-  ExpectRefused(json.dump(), {"bench.json", "'spans' is no list"});
+  ExpectRefused(json.dump(), {"bench.json", "'spans' has to be there, as a list"});
 }
 
 TEST_F(SpanJson, RefusesWhatCannotBeDividedBy) {

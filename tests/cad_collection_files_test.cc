@@ -87,8 +87,10 @@ TEST(CollectionFiles, SameSeedSameBytes) {
   }
 }
 
-TEST(CollectionFiles, AFolderThatIsNotThereIsAnError) {
-  EXPECT_THROW(WriteCollection(DrawCollection({1, 0, 0, 1}), "absent/folder"), std::runtime_error);
+TEST(CollectionFiles, AFolderThatCannotBeIsAnError) {
+  const TempFolder folder;
+  folder.Write("file", "");
+  EXPECT_THROW(WriteCollection(DrawCollection({1, 0, 0, 1}), folder / "file/folder"), std::runtime_error);
 }
 
 TEST(CollectionFiles, CategoriesAreLearntFromThemWithTheSpreadOfTheirSizes) {

@@ -5,7 +5,9 @@
 // copy of the features in the order of the leaves, which is made again.)
 #pragma once
 
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "retrieval/flann_archive.h"
 #include "retrieval/seeded_flann.h"
@@ -39,12 +41,31 @@ class TreeLevel {
   TreeLevel& operator=(const TreeLevel&) = delete;
 };
 
+// What was written as a bool may be read as something else.
+template <typename Archive>
+bool LoadFlag(Archive& archive) {
+  unsigned char flag = 0;
+  archive& flag;
+  if (flag > 1) RefuseStructure("it is neither true nor false");
+  return flag == 1;
+}
+
 // A value that has to be the one that is there already.
 template <typename Archive, typename T>
 void LoadSame(Archive& archive, const T& expected, const char* why) {
+  if constexpr (std::is_same_v<T, bool>) {
+    if (LoadFlag(archive) != expected) RefuseStructure(why);
+    return;
+  }
   T value{};
   archive& value;
   if (value != expected) RefuseStructure(why);
+}
+
+// Whether it is that value, where what was read may be none of its type's.
+template <typename T>
+bool HasBytesOf(const T& read, const T& value) {
+  return std::memcmp(&read, &value, sizeof value) == 0;
 }
 
 inline bool IsBelow(int index, size_t size) { return index >= 0 && static_cast<size_t>(index) < size; }
@@ -68,8 +89,9 @@ void NNIndex<armature::FeatureDistance>::serialize(Archive& archive) {
   } else {
     IndexHeaderStruct header;
     archive.load(header);
-    const bool fits = header.data_type == flann_datatype_value<float>::value &&
-                      header.index_type == getType() && header.rows == size_ && header.cols == veclen_;
+    const bool fits = armature::HasBytesOf(header.data_type, flann_datatype_value<float>::value) &&
+                      armature::HasBytesOf(header.index_type, getType()) && header.rows == size_ &&
+                      header.cols == veclen_;
     if (!fits) armature::RefuseStructure("it is of another kind, or of other points");
     armature::LoadSame(archive, size_, "it is of other points");
     armature::LoadSame(archive, veclen_, "it is of other points");
@@ -88,9 +110,10 @@ void KDTreeSingleIndex<armature::FeatureDistance>::Node::serialize(Archive& arch
   using Index = KDTreeSingleIndex<armature::FeatureDistance>;
   auto* index = static_cast<Index*>(archive.getObject());
   bool is_leaf = child1 == nullptr && child2 == nullptr;
-  archive& left& right& divfeat& divlow& divhigh& is_leaf;
+  archive& left& right& divfeat& divlow& divhigh;
   if constexpr (Archive::is_loading::value) {
     const armature::TreeLevel level;
+    is_leaf = armature::LoadFlag(archive);
     const bool is_range = left >= 0 && left <= right && static_cast<size_t>(right) <= index->size_;
     if (is_leaf ? !is_range : !armature::IsBelow(divfeat, index->veclen_))
       armature::RefuseStructure("a node is of points or dimensions that are not there");
@@ -98,8 +121,9 @@ void KDTreeSingleIndex<armature::FeatureDistance>::Node::serialize(Archive& arch
     child1 = new (index->pool_) Node();
     child2 = new (index->pool_) Node();
     archive&* child1&* child2;
-  } else if (!is_leaf) {
-    archive&* child1&* child2;
+  } else {
+    archive& is_leaf;
+    if (!is_leaf) archive&* child1&* child2;
   }
 }
 
@@ -137,9 +161,10 @@ void KDTreeIndex<armature::FeatureDistance>::Node::serialize(Archive& archive) {
   using Index = KDTreeIndex<armature::FeatureDistance>;
   auto* index = static_cast<Index*>(archive.getObject());
   bool is_leaf = child1 == nullptr && child2 == nullptr;
-  archive& divfeat& divval& is_leaf;
+  archive& divfeat& divval;
   if constexpr (Archive::is_loading::value) {
     const armature::TreeLevel level;
+    is_leaf = armature::LoadFlag(archive);
     if (!armature::IsBelow(divfeat, is_leaf ? index->size_ : index->veclen_))
       armature::RefuseStructure("a node is of a point or a dimension that is not there");
     if (is_leaf) {
@@ -149,8 +174,9 @@ void KDTreeIndex<armature::FeatureDistance>::Node::serialize(Archive& archive) {
     child1 = new (index->pool_) Node();
     child2 = new (index->pool_) Node();
     archive&* child1&* child2;
-  } else if (!is_leaf) {
-    archive&* child1&* child2;
+  } else {
+    archive& is_leaf;
+    if (!is_leaf) archive&* child1&* child2;
   }
 }
 
