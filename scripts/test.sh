@@ -71,7 +71,7 @@ if ! scripts/setup.sh tests; then
 fi
 step format
 scripts/format.sh --check || failed=$((failed + 1))
-build_and_test release program -DARMATURE_ODR=ON armature_program armature_odr program_tests
+build_and_test release release -DARMATURE_ODR=ON armature_program armature_odr release_tests
 find build/asan -name "*.gcda" -delete 2>/dev/null  # of earlier runs
 build_and_test asan . -DARMATURE_COVERAGE=ON
 step coverage

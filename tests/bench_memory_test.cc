@@ -23,7 +23,7 @@ void Touch(size_t megabytes) {
   munmap(memory, size);
 }
 
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+#ifdef ARMATURE_SANITIZED
 constexpr double kShadow = 100.0 / 8;  // megabytes: what the sanitizer may keep of what is touched
 #else
 constexpr double kShadow = 0;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps of synthetic rooms whose true cameras and furniture are known.
+#include "mapping/solve_map.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 
 #include "geometry/viewpoint.h"
 #include "mapping/object_map.h"
-#include "mapping/solve_map.h"
 #include "support/map_world.h"
 
 namespace armature {
