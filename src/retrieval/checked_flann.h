@@ -62,10 +62,13 @@ void LoadSame(Archive& archive, const T& expected, const char* why) {
   if (value != expected) RefuseStructure(why);
 }
 
-// Whether it is that value, where what was read may be none of its type's.
-template <typename T>
-bool HasBytesOf(const T& read, const T& value) {
-  return std::memcmp(&read, &value, sizeof value) == 0;
+// An enumeration as a number: what was read may be none of its values.
+template <typename Enum>
+int NumberOf(const Enum& value) {
+  int number = 0;
+  static_assert(sizeof number == sizeof value);
+  std::memcpy(&number, &value, sizeof number);
+  return number;
 }
 
 inline bool IsBelow(int index, size_t size) { return index >= 0 && static_cast<size_t>(index) < size; }
@@ -89,8 +92,8 @@ void NNIndex<armature::FeatureDistance>::serialize(Archive& archive) {
   } else {
     IndexHeaderStruct header;
     archive.load(header);
-    const bool fits = armature::HasBytesOf(header.data_type, flann_datatype_value<float>::value) &&
-                      armature::HasBytesOf(header.index_type, getType()) && header.rows == size_ &&
+    const bool fits = armature::NumberOf(header.data_type) == flann_datatype_value<float>::value &&
+                      armature::NumberOf(header.index_type) == getType() && header.rows == size_ &&
                       header.cols == veclen_;
     if (!fits) armature::RefuseStructure("it is of another kind, or of other points");
     armature::LoadSame(archive, size_, "it is of other points");
