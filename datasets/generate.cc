@@ -17,6 +17,8 @@
 #include "datasets/sequence_tables.h"
 #include "datasets/simulation/detections.h"
 #include "datasets/simulation/odometry.h"
+#include "datasets/simulation/segments.h"
+#include "datasets/simulation/surface_lines.h"
 #include "datasets/simulation/true_edges.h"
 #include "datasets/simulation/visible_objects.h"
 #include "geometry/random.h"
@@ -28,22 +30,31 @@ namespace {
 namespace fs = std::filesystem;
 
 // Streams of random numbers of a scene.
-enum Stream : std::uint64_t { kPath = 1, kOdometry, kEffects, kDetections };
+enum Stream : std::uint64_t { kPath = 1, kOdometry, kEffects, kDetections, kSurfaceLines, kSegments };
 
-// A scene, ready to be photographed.
+// A scene, ready to be photographed, or to be looked at line by line.
 struct Studio {
   const Scene& scene;
-  Renderer renderer;
+  std::optional<Renderer> renderer;   // none: lines only
+  std::optional<RayScene> own_rays;   // where there is no renderer
+  std::vector<SurfaceLine> lines;     // where there is no renderer
   std::vector<DetectableObject> objects;
   DetectionNoise noise;
 
-  Studio(const Scene& photographed, double detection_noise)
-      : scene(photographed),
-        renderer(SceneMeshes(scene), scene.lamps, {}),
-        noise(scene.detections.Times(detection_noise)) {
+  Studio(const Scene& photographed, const SequenceOptions& options)
+      : scene(photographed), noise(scene.detections.Times(options.detection_noise)) {
+    std::vector<PlacedMesh> meshes = SceneMeshes(scene);
+    if (options.lines_only) {
+      lines = FindSurfaceLines(meshes, SegmentNoise{}.patterns_per_m2, StreamSeed(scene.seed, kSurfaceLines));
+      own_rays.emplace(std::move(meshes));
+    } else {
+      renderer.emplace(std::move(meshes), scene.lamps, RenderOptions{});
+    }
     for (const SceneObject& object : scene.objects)
       objects.push_back({object.id, object.instance.category, object.T_world_object});
   }
+
+  const RayScene& rays() const { return renderer ? renderer->rays() : *own_rays; }
 };
 
 // The sequence with everything that is known before the first picture.
@@ -60,27 +71,43 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
     sequence.up_odom = T_world_camera.front().linear().transpose() * Eigen::Vector3d::UnitZ();
   for (size_t i = 0; i < static_cast<size_t>(frames); ++i) {
     sequence.frames.push_back(
-        {static_cast<double>(i) / scene.fps, T_world_camera[i], T_odom_camera[i], {}, {}});
+        {static_cast<double>(i) / scene.fps, T_world_camera[i], T_odom_camera[i], {}, {}, {}});
   }
   return sequence;
 }
 
-// Takes the picture and notes what is in it.
-cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
+std::uint64_t FrameSeed(const Scene& scene, Stream stream, int index) {
+  return StreamSeed(StreamSeed(scene.seed, stream), static_cast<std::uint64_t>(index));
+}
+
+// Notes what is in the picture, of which the pixels' objects are given.
+void NoteContent(const Studio& studio, const cv::Mat1i& pixels, int index, GeneratedFrame* frame) {
   const Scene& scene = studio.scene;
-  const RayScene& rays = studio.renderer.rays();
-  const Picture picture = studio.renderer.Render(scene.camera, frame->T_world_camera);
-  const auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
-  const std::uint64_t seed =
-      StreamSeed(StreamSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
-  frame->detections =
-      SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera, studio.noise, seed);
+  const RayScene& rays = studio.rays();
+  const auto visible = VisibleObjects(rays, pixels, scene.camera, frame->T_world_camera);
+  frame->detections = SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera,
+                                         studio.noise, FrameSeed(scene, kDetections, index));
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
     frame->edges.push_back(FindTrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
                                          object.T_world_object, scene.camera, frame->T_world_camera));
   }
+}
+
+// Takes the picture and notes what is in it.
+cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
+  const Scene& scene = studio.scene;
+  const Picture picture = studio.renderer->Render(scene.camera, frame->T_world_camera);
+  NoteContent(studio, picture.objects, index, frame);
   return Develop(picture.radiance, scene.effects, StreamSeed(scene.seed, kEffects), index);
+}
+
+// The same without the picture.
+void FindLines(const Studio& studio, int index, GeneratedFrame* frame) {
+  const Scene& scene = studio.scene;
+  NoteContent(studio, SeeObjects(studio.rays(), scene.camera, frame->T_world_camera), index, frame);
+  frame->segments = SimulateSegments(studio.lines, studio.rays(), scene.camera, frame->T_world_camera, {},
+                                     FrameSeed(scene, kSegments, index));
 }
 
 // The exception that the work ended with, none if it went well. No exception may leave a parallel region.
@@ -106,8 +133,11 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     is_over = failure != nullptr;
     if (is_over) continue;
     std::exception_ptr failed = Tried([&] {
-      const cv::Mat3b image = Photograph(studio, i, &sequence->frames[static_cast<size_t>(i)]);
-      WritePictureInside(folder / ImageName(i), image);
+      GeneratedFrame* frame = &sequence->frames[static_cast<size_t>(i)];
+      if (studio.renderer)
+        WritePictureInside(folder / ImageName(i), Photograph(studio, i, frame));
+      else
+        FindLines(studio, i, frame);
     });
 #pragma omp critical(generate)
     {
@@ -139,6 +169,7 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   const int frames = options.frames > 0 ? std::min(options.frames, scene.frames) : scene.frames;
   std::string made_from =
       fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file));
+  if (options.lines_only) made_from += " lines only";
   if (options.draw != 1) made_from += fmt::format(" draw {}", options.draw);
   const std::string stamp = GenerationStamp(made_from);
   const fs::path folder = out / scene.name;
@@ -147,7 +178,8 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   OutputFolder output(folder, GeneratedFolders());
   progress.on_start(scene.name, frames);
   GeneratedSequence sequence = Planned(scene, frames);
-  const Studio studio(scene, options.detection_noise);
+  sequence.lines_only = options.lines_only;
+  const Studio studio(scene, options);
   PhotographAll(studio, output.partial(), progress, &sequence);
   WriteSequenceTables(output.partial(), sequence);
   fs::copy_file(scene_file, output.partial() / "scene.yaml");

@@ -24,6 +24,7 @@ struct SequenceOptions {
   int frames = 0;              // only the first so many of the path; 0: all
   double detection_noise = 1;  // factor of everything that the detections have wrong
   int draw = 1;                // see ReadScene
+  bool lines_only = false;     // no pictures, but the lines that the detector would find in them
 };
 
 // Renders one scene into a sequence folder OUT/<name of the scene>, with a copy of the scene file beside it.

@@ -8,6 +8,7 @@
 #include "datasets/cad/cad_instance.h"
 #include "geometry/rotation.h"
 #include "io/atomic_write.h"
+#include "io/segments_csv.h"
 #include "io/trajectory.h"
 
 namespace armature {
@@ -63,6 +64,16 @@ std::string SettingsText(const GeneratedSequence& sequence) {
   return text;
 }
 
+void WriteLines(const fs::path& folder, const GeneratedSequence& sequence) {
+  std::vector<double> stamps;
+  std::vector<std::vector<Segment>> segments;
+  for (const GeneratedFrame& frame : sequence.frames) {
+    stamps.push_back(frame.timestamp);
+    segments.push_back(frame.segments);
+  }
+  WriteSegments(folder / "segments.csv", stamps, segments);
+}
+
 // What a run reads.
 void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
   std::string images = "# timestamp filename\n";
@@ -72,7 +83,7 @@ void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
   for (size_t i = 0; i < sequence.frames.size(); ++i) {
     const GeneratedFrame& frame = sequence.frames[i];
     const std::string stamp = Fixed(frame.timestamp, 6);
-    images += fmt::format("{} {}\n", stamp, ImageName(static_cast<int>(i)));
+    images += fmt::format("{} {}\n", stamp, sequence.lines_only ? "-" : ImageName(static_cast<int>(i)));
     odometry += TumLine({.timestamp = frame.timestamp, .pose = frame.T_odom_camera}) + "\n";
     for (const SimulatedDetection& found : frame.detections)
       detections += DetectionRow(stamp, found.detection);
@@ -81,6 +92,7 @@ void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
   WriteFile(folder / "rgb.txt", images);
   WriteFile(folder / "detections.csv", detections);
   WriteFile(folder / "odometry.txt", odometry);
+  if (sequence.lines_only) WriteLines(folder, sequence);
 }
 
 // What only the evaluation reads.

@@ -26,6 +26,7 @@ struct GeneratedFrame {
   Eigen::Isometry3d T_odom_camera = Eigen::Isometry3d::Identity();
   std::vector<SimulatedDetection> detections;
   std::vector<std::vector<TrueEdge>> edges;  // of each object
+  std::vector<Segment> segments;             // where there are no pictures
 };
 
 struct GeneratedSequence {
@@ -34,6 +35,7 @@ struct GeneratedSequence {
   double fps = 0;
   Camera camera;
   std::optional<Eigen::Vector3d> up_odom;  // told to the pipeline; none: it has to find out
+  bool lines_only = false;                // there are no pictures
   std::vector<GeneratedObject> objects;
   std::vector<GeneratedFrame> frames;
 };

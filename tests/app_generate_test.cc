@@ -46,6 +46,21 @@ TEST(AppGenerate, WritesASequenceWithItsTruthAndAnnotatedModels) {
   EXPECT_TRUE(std::filesystem::exists(folder / "new/out/cad/chair_edges.csv"));
 }
 
+TEST(AppGenerate, LinesOnlyAreRunWithoutPictures) {
+  const TempFolder folder;
+  folder.Write("my.yaml", testing::kSmallScene);
+  RunOk({"generate", "--scene", folder / "my.yaml", "--frames", "4", "--lines-only", "--without-cad", "--out",
+         folder / "out"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/den/rgb"));
+  const Sequence sequence = LoadSequence(folder / "out/den", {"table", "laptop"});
+  ASSERT_EQ(sequence.segments.size(), 4u);
+  for (const auto& segments : sequence.segments) EXPECT_GT(segments.size(), 10u);
+  EXPECT_GT(cv::imread(folder / "out/contact_sheet.jpg").cols, 0);
+  RunOk({"run", folder / "out/den", "--out", folder / "run"});
+  EXPECT_NE(ReadFile(folder / "run/observations.csv").find(",ok,"), std::string::npos);
+  ExpectBadInput({"run", folder / "out/den", "--out", folder / "drawn", "--overlays"}, {"no picture"});
+}
+
 // The corners of every object's bounding box project around its detection.
 void ExpectDetectionsAroundTheirObjects(const Sequence& sequence, const GroundTruth& truth, size_t frame) {
   const double timestamp = sequence.images[frame].timestamp;

@@ -220,6 +220,32 @@ TEST_F(SequenceTest, AnImagesNameMayHaveAHashAndBlanks) {
   ExpectErrorWith("rgb.txt", "0.0 # none\n", {"rgb.txt:1", "timestamp filename"});
 }
 
+TEST_F(SequenceTest, NeedsNoPicturesWhereLinesAreGiven) {
+  folder_.Write("rgb.txt", "0.0 -\n0.2 -\n");
+  folder_.Write("segments.csv", "timestamp,x1,y1,x2,y2\n0.2,1,2,4,6\n0.2,10,10,30,10\n");
+  const Sequence sequence = Load();
+  EXPECT_TRUE(sequence.images[1].file.empty());
+  ASSERT_EQ(sequence.segments.size(), 2u);
+  EXPECT_TRUE(sequence.segments[0].empty());
+  ASSERT_EQ(sequence.segments[1].size(), 2u);
+  EXPECT_EQ(sequence.segments[1][0].length(), 20);  // the longest first
+  EXPECT_EQ(sequence.segments[1][1].p2, Eigen::Vector2d(4, 6));
+}
+
+TEST_F(SequenceTest, ReportsBadSegments) {
+  const auto expect = [&](const std::string& rows, const std::vector<std::string>& texts) {
+    ExpectErrorWith("segments.csv", "timestamp,x1,y1,x2,y2\n" + rows, texts);
+  };
+  expect("0.2,1,2,1,2\n", {":2:", "one point"});
+  expect("0.1,1,2,3,4\n", {":2:", "no image within 1 ms"});
+  expect("0.2,1,2,3\n", {":2"});
+  expect("0.2,1,nan,3,4\n", {":2"});
+}
+
+TEST_F(SequenceTest, ReportsAnImageWithNeitherPictureNorLines) {
+  ExpectErrorWith("rgb.txt", "0.0 rgb/0.png\n0.2 -\n", {":2:", "no picture", "segments.csv"});
+}
+
 TEST_F(SequenceTest, ReportsBadDetections) {
   ExpectDetectionError("0.2,chair,5,6,20,30,0.9,,120,", {"csv:2", "elevation_deg 120", "-90..90"});
   ExpectDetectionError("0.2,chair,5,6,20,30,0.9,1000,,", {"csv:2", "azimuth_deg 1000"});

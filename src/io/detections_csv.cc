@@ -10,6 +10,7 @@
 #include "geometry/rotation.h"
 #include "io/csv.h"
 #include "io/sequence.h"
+#include "io/stamped_rows.h"
 
 namespace armature {
 namespace {
@@ -57,16 +58,6 @@ std::optional<double> ReadAngle(const CsvRow& row, const std::string& column, bo
   return degrees * kDegree;
 }
 
-size_t FindImageOfRow(const CsvRow& row, const std::vector<TimedPose>& stamps) {
-  const double timestamp = row.Number("timestamp");
-  const std::optional<size_t> index = FindStamp(stamps, timestamp);
-  if (!index) {
-    throw InputError(row.At(fmt::format(
-        "rgb.txt lists no image within 1 ms of stamp {:.6f}; use the stamps of rgb.txt", timestamp)));
-  }
-  return *index;
-}
-
 }  // namespace
 
 std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& file,
@@ -79,9 +70,7 @@ std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& 
   const bool has_azimuth = table.HasColumn("azimuth_deg");
   const bool has_elevation = table.HasColumn("elevation_deg");
   const bool has_tilt = table.HasColumn("tilt_deg");
-  std::vector<TimedPose> stamps;
-  stamps.reserve(images.size());
-  for (const ImageEntry& image : images) stamps.push_back({.timestamp = image.timestamp});
+  const ImageStamps stamps(images);
   std::vector<std::vector<Detection>> detections(images.size());
   for (const CsvRow& row : table.rows()) {
     Detection detection;
@@ -91,7 +80,7 @@ std::vector<std::vector<Detection>> ReadDetections(const std::filesystem::path& 
     detection.azimuth = ReadAngle(row, "azimuth_deg", has_azimuth, 360);
     detection.elevation = ReadAngle(row, "elevation_deg", has_elevation, 90);
     detection.tilt = ReadAngle(row, "tilt_deg", has_tilt, 360);
-    detections[FindImageOfRow(row, stamps)].push_back(detection);
+    detections[stamps.FindImage(row)].push_back(detection);
   }
   return detections;
 }

@@ -11,6 +11,7 @@
 #include "base/statistics.h"
 #include "base/text.h"
 #include "geometry/camera_faults.h"
+#include "io/segments_csv.h"
 #include "io/stamps.h"
 #include "io/trajectory.h"
 #include "io/yaml_support.h"
@@ -98,6 +99,8 @@ bool IsFile(const std::filesystem::path& file) {
   return std::filesystem::is_regular_file(file, ignored);
 }
 
+constexpr std::string_view kNoPicture = "-";
+
 // A line of rgb.txt: `timestamp filename`. A file's name may have blanks and '#' in it: what follows a '#' is
 // a comment where no file is called so.
 ImageEntry ParseEntry(const TextLine& line, const std::filesystem::path& folder, const std::string& where) {
@@ -108,13 +111,14 @@ ImageEntry ParseEntry(const TextLine& line, const std::filesystem::path& folder,
   }
   ImageEntry entry;
   entry.timestamp = ParseNumber(line.text.substr(0, blank), where);
-  entry.file = folder / (IsFile(folder / name) ? name : Trimmed(WithoutComment(name)));
   entry.line = line.number;
+  if (name == kNoPicture) return entry;
+  entry.file = folder / (IsFile(folder / name) ? name : Trimmed(WithoutComment(name)));
   return entry;
 }
 
 void CheckExists(const ImageEntry& entry, const std::string& where) {
-  if (IsFile(entry.file)) return;
+  if (entry.file.empty() || IsFile(entry.file)) return;
   throw InputError(fmt::format("{}: image {} does not exist; add the file or remove the line", where,
                                Quoted(entry.file.string())));
 }
@@ -181,6 +185,18 @@ void TellLongestGap(const std::filesystem::path& list, const std::vector<ImageEn
                    after->line, DescribeDuration(longest)));
 }
 
+void LoadSegments(const std::filesystem::path& file, Sequence* sequence) {
+  if (std::filesystem::exists(file)) {
+    sequence->segments = ReadSegments(file, sequence->images);
+    return;
+  }
+  for (const ImageEntry& image : sequence->images) {
+    if (!image.file.empty()) continue;
+    throw InputError(fmt::format("{}:{}: there is no picture, and no {} with its lines; name a file",
+                                 (sequence->folder / "rgb.txt").string(), image.line, file.string()));
+  }
+}
+
 void LoadOdometry(const std::filesystem::path& file, const OdometryOptions& options, Sequence* sequence) {
   const std::vector<double> stamps = CollectStamps(sequence->images);
   if (std::filesystem::exists(file)) {
@@ -218,6 +234,7 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   TellLongestGap(folder / "rgb.txt", sequence.images);
   sequence.detections =
       ReadDetections(folder / "detections.csv", sequence.images, sequence.camera, categories);
+  LoadSegments(folder / "segments.csv", &sequence);
   LoadOdometry(folder / "odometry.txt", odometry, &sequence);
   Detail(fmt::format("read {}: {} images, {} poses of odometry", folder.string(), sequence.images.size(),
                      sequence.odometry.size()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sequence folder: the input of a run. Files: sequence.yaml, rgb.txt, detections.csv and, optionally,
-// odometry.txt. Ground truth is never read here.
+// odometry.txt and segments.csv. Ground truth is never read here.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,6 +11,7 @@
 
 #include "association/detection.h"
 #include "geometry/camera.h"
+#include "geometry/segment.h"
 #include "io/trajectory.h"
 #include "odometry/odometry.h"
 
@@ -27,8 +28,8 @@ struct SequenceSettings {
 
 struct ImageEntry {
   double timestamp = 0;  // seconds
-  std::filesystem::path file;
-  int line = 0;  // of rgb.txt
+  std::filesystem::path file;  // empty: there is no picture, segments.csv has its lines
+  int line = 0;                // of rgb.txt
 };
 
 struct Sequence {
@@ -40,6 +41,9 @@ struct Sequence {
   std::filesystem::path folder;
   std::vector<ImageEntry> images;                  // by growing stamps, at least one
   std::vector<std::vector<Detection>> detections;  // per image, in the order of the file; angles in radians
+  // Per image, undistorted pixels, longest first, instead of those that a detector would find; empty: there
+  // is no segments.csv.
+  std::vector<std::vector<Segment>> segments;
   // Per image: where the odometry has its stamp, or neighbours near enough to interpolate between.
   std::vector<std::optional<Eigen::Isometry3d>> T_odom_camera;
   std::vector<TimedPose> odometry;  // the whole file; empty when there is none
@@ -47,7 +51,7 @@ struct Sequence {
 };
 
 // Reads the folder. Throws InputError naming file, line and remedy for a missing or malformed file, an
-// unknown key, column or category, a listed image that does not exist, stamps that do not grow, a detection
+// unknown key, column or category, a listed image that does not exist or has neither picture nor lines, stamps that do not grow, a detection
 // without image, a box outside its image, a score outside 0..1, or an odometry that gives no image a pose.
 // odometry.txt may be in the TUM or EuRoC format, or in KITTI's with one line an image. `categories`: names
 // of the known category models.

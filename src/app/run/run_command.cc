@@ -65,6 +65,7 @@ std::vector<fs::path> VideoFiles(const std::vector<Sequence>& sequences, const f
 // What would end the run of a later sequence, found before the first one runs.
 void CheckBeforeRunning(const std::vector<Sequence>& sequences, const std::vector<fs::path>& folders) {
   for (const Sequence& sequence : sequences) {
+    if (!sequence.segments.empty()) continue;
     const ImageResult first = ReadImage(sequence.images.front().file, sequence.camera);
     if (!first.image) throw InputError(first.error);
   }

@@ -34,31 +34,42 @@ double SecondsSince(Clock::time_point start) {
 
 // A frame before its objects are looked for.
 struct PreparedFrame {
-  ImageResult colour;
+  ImageResult colour;  // none where nobody looks at it
   double load_ms = 0;
   Clock::time_point loaded;  // when the image was there
   DetectedLines lines;
 };
 
-PreparedFrame Prepare(const Sequence& sequence, size_t index, FramePipeline& pipeline) {
+// Whether pictures are looked at: lines may be known, and nobody may want to see them drawn.
+bool NeedsPictures(const Sequence& sequence, const SequenceRunSettings& settings) {
+  return sequence.segments.empty() || settings.overlays || !settings.video.empty();
+}
+
+PreparedFrame Prepare(const Sequence& sequence, size_t index, bool needs_picture, FramePipeline& pipeline) {
   PreparedFrame prepared;
   cv::Mat gray;
-  {
+  if (needs_picture) {
     const StageClock clock(prepared.load_ms);
     prepared.colour = ReadImage(sequence.images[index].file, sequence.camera);
     if (prepared.colour.image) cv::cvtColor(*prepared.colour.image, gray, cv::COLOR_BGR2GRAY);
   }
   prepared.loaded = Clock::now();
-  if (prepared.colour.image) prepared.lines = pipeline.DetectLines(gray, sequence.detections[index]);
+  if (!sequence.segments.empty())
+    prepared.lines.segments = sequence.segments[index];
+  else if (prepared.colour.image)
+    prepared.lines = pipeline.DetectLines(gray, sequence.detections[index]);
   return prepared;
 }
 
 // The frames one after the other, prepared as they are asked for or one ahead.
 class FrameSource {
  public:
-  FrameSource(const Sequence& sequence, size_t count, FramePipeline& pipeline, bool pipelined)
-      : prepare_([&](size_t index) { return Prepare(sequence, index, pipeline); }) {
-    if (pipelined) ahead_.emplace(count, prepare_);
+  FrameSource(const Sequence& sequence, size_t count, const SequenceRunSettings& settings,
+              FramePipeline& pipeline)
+      : prepare_([&, needs_picture = NeedsPictures(sequence, settings)](size_t index) {
+          return Prepare(sequence, index, needs_picture, pipeline);
+        }) {
+    if (settings.pipelined) ahead_.emplace(count, prepare_);
   }
   PreparedFrame Frame(size_t index) { return ahead_ ? ahead_->Take() : prepare_(index); }
 
@@ -178,12 +189,13 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
   FramePace pace;
   Disbelief disbelief;
   const Clock::time_point start = Clock::now();
-  FrameSource frames(sequence, count, pipeline, settings.pipelined);
+  FrameSource frames(sequence, count, settings, pipeline);
+  const bool needs_picture = NeedsPictures(sequence, settings);
   for (size_t i = 0; i < count; ++i) {
     ThrowIfInterrupted();
     PreparedFrame prepared = frames.Frame(i);
     const ImageResult& colour = prepared.colour;
-    if (!colour.image) {
+    if (needs_picture && !colour.image) {
       if (i == 0) throw InputError(colour.error);
       Note("skipped " + colour.error);
       writer.AddSkippedImage(sequence.images[i].timestamp, colour.error);
@@ -192,7 +204,7 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
       pace.latency_ms.push_back(1000 * SecondsSince(prepared.loaded));
       disbelief.Add(frame);
       writer.AddFrame(frame);
-      overlays.Add(i, *colour.image, frame);
+      if (needs_picture) overlays.Add(i, *colour.image, frame);
     }
     progress.Step();
   }
