@@ -59,7 +59,7 @@ struct Studio {
 
 // The sequence with everything that is known before the first picture.
 GeneratedSequence Planned(const Scene& scene, int frames) {
-  GeneratedSequence sequence{scene.name, scene.about, scene.fps, scene.camera, std::nullopt, {}, {}};
+  GeneratedSequence sequence{scene.name, scene.about, scene.fps, scene.camera, std::nullopt, false, {}, {}};
   for (const SceneObject& object : scene.objects) {
     sequence.objects.push_back({object.id, object.instance.category, "armature:" + object.instance.id,
                                 object.T_world_object, object.instance.size});

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kNear = 0.1;      // metres before the camera
+constexpr double kNearDepth = 0.1;      // metres before the camera
 constexpr double kRayStep = 5;     // pixels between two points of a line that are looked at
 constexpr double kInFront = 0.01;  // metres that they are moved towards the camera, off their own surface
 
@@ -27,9 +27,9 @@ struct ProjectedLine {
 std::optional<ProjectedLine> ProjectLine(const SurfaceLine& line, const Camera& camera,
                                          const Eigen::Isometry3d& T_camera_world) {
   Vector3d a = T_camera_world * line.p1, b = T_camera_world * line.p2;
-  if (a.z() < kNear && b.z() < kNear) return std::nullopt;
-  if (a.z() < kNear) a += (kNear - a.z()) / (b.z() - a.z()) * (b - a);
-  if (b.z() < kNear) b += (kNear - b.z()) / (a.z() - b.z()) * (a - b);
+  if (a.z() < kNearDepth && b.z() < kNearDepth) return std::nullopt;
+  if (a.z() < kNearDepth) a += (kNearDepth - a.z()) / (b.z() - a.z()) * (b - a);
+  if (b.z() < kNearDepth) b += (kNearDepth - b.z()) / (a.z() - b.z()) * (a - b);
   const Segment whole{camera.Project(a), camera.Project(b)};
   const Box image{-0.5, -0.5, static_cast<double>(camera.width), static_cast<double>(camera.height)};
   const std::optional<Segment> inside = Clipped(whole, image);
