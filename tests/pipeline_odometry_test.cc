@@ -115,6 +115,15 @@ TEST(OdometryJumps, AStepThatTheObjectsAreForIsBelieved) {
   }
 }
 
+// The camera goes faster at once, and one frame's detections are such as if it did not.
+TEST(OdometryJumps, OneFrameAgainstItIsNoChangeOfUnit) {
+  Way way(0.2);
+  for (int frame = 0; frame < 60; ++frame) {
+    const double as_before = 0.1 * frame, x = frame <= 20 ? as_before : 2 + 2 * (as_before - 2);
+    EXPECT_FALSE(way.Go(0.2, frame == 25 ? as_before : x, x).unit_change) << frame;
+  }
+}
+
 TEST(OdometryJumps, AChangeOfUnitIsUndone) {
   for (const double factor : {0.5, 2.0}) {
     Way way(0.2);

@@ -17,13 +17,15 @@ constexpr size_t kRecentSteps = 20, kLeastSteps = 5;
 constexpr double kSuspected = 1.5, kIncredible = 5;
 constexpr double kSteadyHand = 10 * kDegree;  // radians a second, added to what was turned of late
 // The objects are against what is told if they are seen so much worse than without it.
-constexpr double kWorseAfterJump = 0.6, kWorseInOtherUnit = 0.85;
+constexpr double kWorseAfterJump = 0.6, kWorseInOtherUnit = 0.9;
 constexpr size_t kSpeedSteps = 5;            // before and after a change of unit that is suspected
 constexpr double kSuspectedLogFactor = 0.3;  // of speed
 // Shares of that: of the speeds before and after it the spread, and the change from one step to the next.
 constexpr double kLargestSpread = 1, kLeastAtOnce = 0.6;
-constexpr double kSuspicionSeconds = 4;                       // that the objects have to tell
-constexpr double kFactorTrials[] = {0.8, 0.9, 1, 1.1, 1.25};  // the camera may have changed its speed as well
+constexpr double kSuspicionSeconds = 4;  // that the objects have to tell
+constexpr int kTellingFrames = 4;        // at least
+constexpr std::array kFactorTrials{0.8, 0.9, 1.0, 1.1,
+                                   1.25};  // the camera may have changed its speed as well
 
 }  // namespace
 
@@ -72,24 +74,29 @@ std::optional<UnitChange> OdometryJumps::SuspectUnitChange() const {
 
 std::optional<UnitChange> OdometryJumps::FindUnitChange(const ObjectAgreement& agreement) {
   const Motion& now = motions_.back();
-  if (suspected_ && now.timestamp - suspected_->timestamp > kSuspicionSeconds) suspected_.reset();
-  if (!suspected_) suspected_ = SuspectUnitChange();
-  if (!suspected_) return std::nullopt;
+  if (suspicion_ && now.timestamp - suspicion_->change.timestamp > kSuspicionSeconds) suspicion_.reset();
+  if (!suspicion_) {
+    const std::optional<UnitChange> change = SuspectUnitChange();
+    if (!change) return std::nullopt;
+    suspicion_ = Suspicion{*change};
+  }
   const std::optional<double> told = agreement(now.T_odom_camera);
   if (!told) return std::nullopt;
-  std::optional<UnitChange> best;
-  double most = *told / kWorseInOtherUnit;
-  for (const double trial : kFactorTrials) {
-    UnitChange change = *suspected_;
-    change.factor *= trial;
+  Suspicion& suspicion = *suspicion_;
+  ++suspicion.frames;
+  suspicion.told += *told;
+  for (size_t trial = 0; trial < kFactorTrials.size(); ++trial) {
+    UnitChange change = suspicion.change;
+    change.factor *= kFactorTrials[trial];
     Eigen::Isometry3d T_odom_camera = now.T_odom_camera;
     T_odom_camera.translation() = change.Undo(T_odom_camera.translation());
-    const std::optional<double> undone = agreement(T_odom_camera);
-    if (!undone || *undone <= most) continue;
-    most = *undone;
-    best = change;
+    suspicion.undone[trial] += agreement(T_odom_camera).value_or(0);
   }
-  return best;
+  const auto best = std::max_element(suspicion.undone.begin(), suspicion.undone.end());
+  if (suspicion.frames < kTellingFrames || suspicion.told >= kWorseInOtherUnit * *best) return std::nullopt;
+  UnitChange change = suspicion.change;
+  change.factor *= kFactorTrials[static_cast<size_t>(best - suspicion.undone.begin())];
+  return change;
 }
 
 OdometryJumps::Step OdometryJumps::Follow(double timestamp, const Eigen::Isometry3d& T_told_camera,
@@ -125,7 +132,7 @@ OdometryJumps::Step OdometryJumps::Follow(double timestamp, const Eigen::Isometr
       past.T_odom_camera.translation() = change.Undo(past.T_odom_camera.translation());
       past.speed /= change.factor;
     }
-    suspected_.reset();
+    suspicion_.reset();
   }
   step.T_odom_camera = motions_.back().T_odom_camera;
   return step;

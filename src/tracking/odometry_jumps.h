@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -49,7 +50,15 @@ class OdometryJumps {
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero();
   double unit_ = 1;
   std::deque<Motion> motions_;  // the latest
-  std::optional<UnitChange> suspected_;
+
+  // What objects have said of it since; one frame is no evidence.
+  struct Suspicion {
+    UnitChange change;
+    int frames = 0;                  // in which objects told
+    double told = 0;                 // sum of their agreement with the odometry as it is told
+    std::array<double, 5> undone{};  // the same with the change undone, by factors around the suspected one
+  };
+  std::optional<Suspicion> suspicion_;
 };
 
 }  // namespace armature
