@@ -34,16 +34,9 @@ enum Stream : std::uint64_t { kPath = 1, kOdometry, kEffects, kDetections };
 struct Studio {
   const Scene& scene;
   Renderer renderer;
-  std::vector<DetectableObject> objects;
-  DetectionNoise noise;
 
-  Studio(const Scene& photographed, double detection_noise)
-      : scene(photographed),
-        renderer(SceneMeshes(scene), scene.lamps, {}),
-        noise(scene.detections.Times(detection_noise)) {
-    for (const SceneObject& object : scene.objects)
-      objects.push_back({object.id, object.instance.category, object.T_world_object});
-  }
+  explicit Studio(const Scene& photographed)
+      : scene(photographed), renderer(SceneMeshes(scene), scene.lamps, {}) {}
 };
 
 // The sequence with everything that is known before the first picture.
@@ -55,8 +48,8 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
   }
   const auto T_world_camera = CameraPoses(scene.path, scene.frames, StreamSeed(scene.seed, kPath));
   const auto T_odom_camera =
-      SimulateOdometry(T_world_camera, scene.odometry, StreamSeed(scene.seed, kOdometry));
-  if (scene.odometry.tells_up)
+      SimulateOdometry(T_world_camera, scene.fps, scene.odometry, StreamSeed(scene.seed, kOdometry));
+  if (scene.odometry.tells_up && scene.odometry.kind != OdometryKind::kNone)  // it is in the odometry's frame
     sequence.up_odom = T_world_camera.front().linear().transpose() * Eigen::Vector3d::UnitZ();
   for (size_t i = 0; i < static_cast<size_t>(frames); ++i) {
     sequence.frames.push_back(
@@ -65,16 +58,13 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
   return sequence;
 }
 
-// Takes the picture and notes what is in it.
-cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
+// Takes the picture and notes what is in it and what is seen of the objects.
+cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame,
+                     std::vector<VisibleObject>* visible) {
   const Scene& scene = studio.scene;
   const RayScene& rays = studio.renderer.rays();
   const Picture picture = studio.renderer.Render(scene.camera, frame->T_world_camera);
-  const auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
-  const std::uint64_t seed =
-      StreamSeed(StreamSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
-  frame->detections =
-      SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera, studio.noise, seed);
+  *visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
     frame->edges.push_back(FindTrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
@@ -94,11 +84,13 @@ std::exception_ptr Tried(const Work& work) {
   }
 }
 
-// All pictures, by all threads; the first exception ends the work.
-void PhotographAll(const Studio& studio, const fs::path& folder, const GenerationProgress& progress,
-                   GeneratedSequence* sequence) {
+// All pictures, by all threads; the first exception ends the work. Returns what is seen in each of them.
+std::vector<std::vector<VisibleObject>> PhotographAll(const Studio& studio, const fs::path& folder,
+                                                      const GenerationProgress& progress,
+                                                      GeneratedSequence* sequence) {
   std::exception_ptr failure;
   const int count = static_cast<int>(sequence->frames.size());
+  std::vector<std::vector<VisibleObject>> visible(sequence->frames.size());
 #pragma omp parallel for schedule(dynamic)
   for (int i = 0; i < count; ++i) {
     bool is_over = false;
@@ -106,7 +98,8 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     is_over = failure != nullptr;
     if (is_over) continue;
     std::exception_ptr failed = Tried([&] {
-      const cv::Mat3b image = Photograph(studio, i, &sequence->frames[static_cast<size_t>(i)]);
+      const auto place = static_cast<size_t>(i);
+      const cv::Mat3b image = Photograph(studio, i, &sequence->frames[place], &visible[place]);
       WritePictureInside(folder / ImageName(i), image);
     });
 #pragma omp critical(generate)
@@ -116,6 +109,25 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     }
   }
   if (failure) std::rethrow_exception(failure);
+  return visible;
+}
+
+// In the order of the frames: what is detected depends on what was.
+void DetectAll(const Scene& scene, double detection_noise, std::vector<std::vector<VisibleObject>> visible,
+               GeneratedSequence* sequence) {
+  DetectableScene detectable{scene.camera, {}, {}};
+  for (const SceneObject& object : scene.objects) {
+    detectable.objects.push_back(
+        {object.id, object.instance.category, object.T_world_object, object.instance.size});
+  }
+  std::vector<SeenFrame> seen;
+  for (size_t i = 0; i < visible.size(); ++i) {
+    const GeneratedFrame& frame = sequence->frames[i];
+    seen.push_back({frame.timestamp, frame.T_world_camera, std::move(visible[i])});
+  }
+  auto detections = SimulateDetections(seen, detectable, scene.detections.Times(detection_noise),
+                                       StreamSeed(scene.seed, kDetections));
+  for (size_t i = 0; i < detections.size(); ++i) sequence->frames[i].detections = std::move(detections[i]);
 }
 
 }  // namespace
@@ -147,8 +159,8 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   OutputFolder output(folder, GeneratedFolders());
   progress.on_start(scene.name, frames);
   GeneratedSequence sequence = Planned(scene, frames);
-  const Studio studio(scene, options.detection_noise);
-  PhotographAll(studio, output.partial(), progress, &sequence);
+  auto visible = PhotographAll(Studio(scene), output.partial(), progress, &sequence);
+  DetectAll(scene, options.detection_noise, std::move(visible), &sequence);
   WriteSequenceTables(output.partial(), sequence);
   fs::copy_file(scene_file, output.partial() / "scene.yaml");
   WriteStamp(output.partial(), stamp);
