@@ -35,23 +35,18 @@ enum Stream : std::uint64_t { kPath = 1, kOdometry, kEffects, kDetections, kSurf
 // A scene, ready to be photographed, or to be looked at line by line.
 struct Studio {
   const Scene& scene;
-  std::optional<Renderer> renderer;   // none: lines only
-  std::optional<RayScene> own_rays;   // where there is no renderer
-  std::vector<SurfaceLine> lines;     // where there is no renderer
-  std::vector<DetectableObject> objects;
-  DetectionNoise noise;
+  std::optional<Renderer> renderer;  // none: lines only
+  std::optional<RayScene> own_rays;  // where there is no renderer
+  std::vector<SurfaceLine> lines;    // where there is no renderer
 
-  Studio(const Scene& photographed, const SequenceOptions& options)
-      : scene(photographed), noise(scene.detections.Times(options.detection_noise)) {
+  Studio(const Scene& photographed, bool lines_only) : scene(photographed) {
     std::vector<PlacedMesh> meshes = SceneMeshes(scene);
-    if (options.lines_only) {
+    if (lines_only) {
       lines = FindSurfaceLines(meshes, SegmentNoise{}.patterns_per_m2, StreamSeed(scene.seed, kSurfaceLines));
       own_rays.emplace(std::move(meshes));
     } else {
       renderer.emplace(std::move(meshes), scene.lamps, RenderOptions{});
     }
-    for (const SceneObject& object : scene.objects)
-      objects.push_back({object.id, object.instance.category, object.T_world_object});
   }
 
   const RayScene& rays() const { return renderer ? renderer->rays() : *own_rays; }
@@ -66,8 +61,8 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
   }
   const auto T_world_camera = CameraPoses(scene.path, scene.frames, StreamSeed(scene.seed, kPath));
   const auto T_odom_camera =
-      SimulateOdometry(T_world_camera, scene.odometry, StreamSeed(scene.seed, kOdometry));
-  if (scene.odometry.tells_up)
+      SimulateOdometry(T_world_camera, scene.fps, scene.odometry, StreamSeed(scene.seed, kOdometry));
+  if (scene.odometry.tells_up && scene.odometry.kind != OdometryKind::kNone)  // it is in the odometry's frame
     sequence.up_odom = T_world_camera.front().linear().transpose() * Eigen::Vector3d::UnitZ();
   for (size_t i = 0; i < static_cast<size_t>(frames); ++i) {
     sequence.frames.push_back(
@@ -76,38 +71,34 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
   return sequence;
 }
 
-std::uint64_t FrameSeed(const Scene& scene, Stream stream, int index) {
-  return StreamSeed(StreamSeed(scene.seed, stream), static_cast<std::uint64_t>(index));
-}
-
-// Notes what is in the picture, of which the pixels' objects are given.
-void NoteContent(const Studio& studio, const cv::Mat1i& pixels, int index, GeneratedFrame* frame) {
+// Notes where edges are in the picture and what is seen of the objects; `pixels`: of which they are.
+void NoteContent(const Studio& studio, const cv::Mat1i& pixels, GeneratedFrame* frame,
+                 std::vector<VisibleObject>* visible) {
   const Scene& scene = studio.scene;
-  const RayScene& rays = studio.rays();
-  const auto visible = VisibleObjects(rays, pixels, scene.camera, frame->T_world_camera);
-  frame->detections = SimulateDetections(visible, studio.objects, scene.camera, frame->T_world_camera,
-                                         studio.noise, FrameSeed(scene, kDetections, index));
+  *visible = VisibleObjects(studio.rays(), pixels, scene.camera, frame->T_world_camera);
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const SceneObject& object = scene.objects[i];
-    frame->edges.push_back(FindTrueEdges(rays, static_cast<int>(i) + 1, object.instance.wireframe,
+    frame->edges.push_back(FindTrueEdges(studio.rays(), static_cast<int>(i) + 1, object.instance.wireframe,
                                          object.T_world_object, scene.camera, frame->T_world_camera));
   }
 }
 
-// Takes the picture and notes what is in it.
-cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
+cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame,
+                     std::vector<VisibleObject>* visible) {
   const Scene& scene = studio.scene;
   const Picture picture = studio.renderer->Render(scene.camera, frame->T_world_camera);
-  NoteContent(studio, picture.objects, index, frame);
+  NoteContent(studio, picture.objects, frame, visible);
   return Develop(picture.radiance, scene.effects, StreamSeed(scene.seed, kEffects), index);
 }
 
 // The same without the picture.
-void FindLines(const Studio& studio, int index, GeneratedFrame* frame) {
+void FindLines(const Studio& studio, int index, GeneratedFrame* frame, std::vector<VisibleObject>* visible) {
   const Scene& scene = studio.scene;
-  NoteContent(studio, SeeObjects(studio.rays(), scene.camera, frame->T_world_camera), index, frame);
-  frame->segments = SimulateSegments(studio.lines, studio.rays(), scene.camera, frame->T_world_camera, {},
-                                     FrameSeed(scene, kSegments, index));
+  NoteContent(studio, SeeObjects(studio.rays(), scene.camera, frame->T_world_camera), frame, visible);
+  const std::uint64_t seed =
+      StreamSeed(StreamSeed(scene.seed, kSegments), static_cast<std::uint64_t>(index));
+  frame->segments =
+      SimulateSegments(studio.lines, studio.rays(), scene.camera, frame->T_world_camera, {}, seed);
 }
 
 // The exception that the work ended with, none if it went well. No exception may leave a parallel region.
@@ -121,11 +112,13 @@ std::exception_ptr Tried(const Work& work) {
   }
 }
 
-// All pictures, by all threads; the first exception ends the work.
-void PhotographAll(const Studio& studio, const fs::path& folder, const GenerationProgress& progress,
-                   GeneratedSequence* sequence) {
+// All pictures, by all threads; the first exception ends the work. Returns what is seen in each of them.
+std::vector<std::vector<VisibleObject>> PhotographAll(const Studio& studio, const fs::path& folder,
+                                                      const GenerationProgress& progress,
+                                                      GeneratedSequence* sequence) {
   std::exception_ptr failure;
   const int count = static_cast<int>(sequence->frames.size());
+  std::vector<std::vector<VisibleObject>> visible(sequence->frames.size());
 #pragma omp parallel for schedule(dynamic)
   for (int i = 0; i < count; ++i) {
     bool is_over = false;
@@ -133,11 +126,12 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     is_over = failure != nullptr;
     if (is_over) continue;
     std::exception_ptr failed = Tried([&] {
-      GeneratedFrame* frame = &sequence->frames[static_cast<size_t>(i)];
+      const auto place = static_cast<size_t>(i);
+      GeneratedFrame* frame = &sequence->frames[place];
       if (studio.renderer)
-        WritePictureInside(folder / ImageName(i), Photograph(studio, i, frame));
+        WritePictureInside(folder / ImageName(i), Photograph(studio, i, frame, &visible[place]));
       else
-        FindLines(studio, i, frame);
+        FindLines(studio, i, frame, &visible[place]);
     });
 #pragma omp critical(generate)
     {
@@ -146,6 +140,25 @@ void PhotographAll(const Studio& studio, const fs::path& folder, const Generatio
     }
   }
   if (failure) std::rethrow_exception(failure);
+  return visible;
+}
+
+// In the order of the frames: what is detected depends on what was.
+void DetectAll(const Scene& scene, double detection_noise, std::vector<std::vector<VisibleObject>> visible,
+               GeneratedSequence* sequence) {
+  DetectableScene detectable{scene.camera, {}, {}};
+  for (const SceneObject& object : scene.objects) {
+    detectable.objects.push_back(
+        {object.id, object.instance.category, object.T_world_object, object.instance.size});
+  }
+  std::vector<SeenFrame> seen;
+  for (size_t i = 0; i < visible.size(); ++i) {
+    const GeneratedFrame& frame = sequence->frames[i];
+    seen.push_back({frame.timestamp, frame.T_world_camera, std::move(visible[i])});
+  }
+  auto detections = SimulateDetections(seen, detectable, scene.detections.Times(detection_noise),
+                                       StreamSeed(scene.seed, kDetections));
+  for (size_t i = 0; i < detections.size(); ++i) sequence->frames[i].detections = std::move(detections[i]);
 }
 
 }  // namespace
@@ -179,8 +192,8 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   progress.on_start(scene.name, frames);
   GeneratedSequence sequence = Planned(scene, frames);
   sequence.lines_only = options.lines_only;
-  const Studio studio(scene, options);
-  PhotographAll(studio, output.partial(), progress, &sequence);
+  auto visible = PhotographAll(Studio(scene, options.lines_only), output.partial(), progress, &sequence);
+  DetectAll(scene, options.detection_noise, std::move(visible), &sequence);
   WriteSequenceTables(output.partial(), sequence);
   fs::copy_file(scene_file, output.partial() / "scene.yaml");
   WriteStamp(output.partial(), stamp);

@@ -80,18 +80,22 @@ void WriteInputs(const fs::path& folder, const GeneratedSequence& sequence) {
   std::string detections = "timestamp,category,x,y,width,height,score,azimuth_deg,elevation_deg,tilt_deg\n";
   std::string odometry =
       "# T_odom_camera, arbitrary scale; the first camera is the origin\n# timestamp tx ty tz qx qy qz qw\n";
+  bool has_odometry = false;
   for (size_t i = 0; i < sequence.frames.size(); ++i) {
     const GeneratedFrame& frame = sequence.frames[i];
     const std::string stamp = Fixed(frame.timestamp, 6);
     images += fmt::format("{} {}\n", stamp, sequence.lines_only ? "-" : ImageName(static_cast<int>(i)));
-    odometry += TumLine({.timestamp = frame.timestamp, .pose = frame.T_odom_camera}) + "\n";
+    if (frame.T_odom_camera) {
+      odometry += TumLine({.timestamp = frame.timestamp, .pose = *frame.T_odom_camera}) + "\n";
+      has_odometry = true;
+    }
     for (const SimulatedDetection& found : frame.detections)
       detections += DetectionRow(stamp, found.detection);
   }
   WriteFile(folder / "sequence.yaml", SettingsText(sequence));
   WriteFile(folder / "rgb.txt", images);
   WriteFile(folder / "detections.csv", detections);
-  WriteFile(folder / "odometry.txt", odometry);
+  if (has_odometry) WriteFile(folder / "odometry.txt", odometry);
   if (sequence.lines_only) WriteLines(folder, sequence);
 }
 

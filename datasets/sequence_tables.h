@@ -23,7 +23,7 @@ struct GeneratedObject {
 struct GeneratedFrame {
   double timestamp = 0;  // seconds
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d T_odom_camera = Eigen::Isometry3d::Identity();
+  std::optional<Eigen::Isometry3d> T_odom_camera;  // none: the odometry is lost, or there is none
   std::vector<SimulatedDetection> detections;
   std::vector<std::vector<TrueEdge>> edges;  // of each object
   std::vector<Segment> segments;             // where there are no pictures
@@ -43,7 +43,8 @@ struct GeneratedSequence {
 // The image of a frame, from 0: "rgb/0007.jpg".
 std::string ImageName(int frame);
 
-// Writes everything but the images. Throws std::runtime_error when a file cannot be written.
+// Writes everything but the images; no odometry.txt where no frame has a pose of it. Throws
+// std::runtime_error when a file cannot be written.
 void WriteSequenceTables(const std::filesystem::path& folder, const GeneratedSequence& sequence);
 
 }  // namespace armature

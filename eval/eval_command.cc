@@ -131,7 +131,24 @@ Evaluation TablesWithoutRuns(const EvalArguments& arguments) {
   return {.tables = {MakeLibraryTable(LoadModels(arguments.configuration), arguments.retrieval)}};
 }
 
+bool IsOfDetections(const EvalArguments& arguments) {
+  return !arguments.detections.empty() || IsAsked(kDetectionTableName, arguments);
+}
+
+Evaluation MakeSequenceTables(const EvalArguments& arguments) {
+  const auto& asked = arguments.tables;
+  if (!asked.empty() && asked != std::vector<std::string>{kDetectionTableName}) {
+    throw InputError(fmt::format("--tables: '{}' is of sequences, the others are of runs; ask for it alone",
+                                 kDetectionTableName));
+  }
+  if (arguments.runs.empty()) {
+    throw InputError("eval: no sequence is given; name the folders whose detections are judged");
+  }
+  return MakeDetectionTables(arguments.runs, arguments.detections, LoadModels(arguments.configuration));
+}
+
 Evaluation MakeTables(const EvalArguments& arguments, TableFormat format) {
+  if (IsOfDetections(arguments)) return MakeSequenceTables(arguments);
   if (arguments.runs.empty()) return TablesWithoutRuns(arguments);
   if (AreTrajectoryFiles(arguments.runs)) return MakeFileTables(arguments, format);
   Evaluation made = MakeFolderTables(arguments, format);
@@ -145,6 +162,7 @@ void KeepRawRows(const fs::path& folder, EvalArguments& a) {
   const auto keep = [&](fs::path& file, const char* name) {
     if (file.empty()) file = folder / name;
   };
+  if (IsOfDetections(a)) return;  // they have none
   keep(a.trajectories.raw, "trajectories.csv");
   if (AreTrajectoryFiles(a.runs)) return;
   keep(a.observations.raw, "detections.csv");
@@ -158,7 +176,9 @@ CommandHelp EvalHelp() {
           "Compares finished runs with the ground truth of their sequences, which no other command reads, "
           "and prints tables: single views, matched edges, trajectories, objects of the map beside the "
           "paper's numbers and, with a library, retrieved CAD models. What each number is stands below its "
-          "table. Single trajectory files (TUM, KITTI, EuRoC) can be compared, too.",
+          "table. Single trajectory files (TUM, KITTI, EuRoC) can be compared, too, and detections, without "
+          "any "
+          "run: of a sequence folder or, for it, of a file.",
       .files = {{"OUT/records.json", "all numbers by name (ate_rmse_m), for programs; see results/README.md"},
                 {"OUT/eval.json", "all tables and where they are from"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
@@ -173,7 +193,9 @@ CommandHelp EvalHelp() {
            "results/reproduce/library.armlib --tables retrieval --format markdown"},
           {"one trajectory, rigidly aligned",
            "armature eval results/reproduce/runs/objects/seq1/trajectory.txt --groundtruth "
-           "datasets/generated/seq1/groundtruth.txt --alignment se3"}}};
+           "datasets/generated/seq1/groundtruth.txt --alignment se3"},
+          {"how good a detector is on a sequence",
+           "armature eval datasets/generated/seq1 --detections my_detections.csv"}}};
 }
 
 }  // namespace
@@ -216,12 +238,16 @@ void AddEvalCommand(CLI::App& app, int& exit_status) {
   BeginSection(*eval, "Input");
   eval->add_option("RUN", a.runs,
                    "run folders, or folders of run folders; or trajectory files; none: "
-                   "--library alone")
+                   "--library alone; for --detections: sequence folders")
       ->type_name("PATH");
   eval->add_option("--groundtruth", a.ground_truth,
                    "sequence folders with ground truth, or folders of such (default: where the run says); "
                    "for trajectory files: the true one")
       ->type_name("PATH");
+  eval->add_option("--detections", a.detections,
+                   "detections to judge by the truth of a sequence, in place of its own; those are the table "
+                   "'detections'")
+      ->type_name("FILE");
   BeginSection(*eval, "Output");
   KnownValues(*eval->add_option("--tables", a.tables, "which tables (default: all that there is truth for)")
                    ->type_name("NAME")

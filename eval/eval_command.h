@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/configuration.h"
+#include "eval/detections/eval_detections.h"
 #include "eval/objects/eval_objects.h"
 #include "eval/retrieval/eval_retrieval.h"
 #include "eval/trajectories/eval_trajectories.h"
@@ -17,16 +18,18 @@ namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
 inline const std::vector<std::string> kTableNames{
-    "observations", "edges",     "trajectory",         "objects",    "each_object",    "normal",
-    "paper",        "retrieval", "retrieval_variants", "each_query", kLibraryTableName};
+    "observations", "edges",     "trajectory",         "objects",    "each_object",     "normal",
+    "paper",        "retrieval", "retrieval_variants", "each_query", kLibraryTableName, kDetectionTableName};
 
 struct EvalArguments {
-  // Run folders or folders of such; or trajectory files alone; empty: of the library alone.
+  // Run folders or folders of such; or trajectory files alone; or, for the table of detections, sequence
+  // folders; empty: of the library alone.
   std::vector<std::filesystem::path> runs;
   // Sequence folders with ground truth, or folders of such; empty: where each run says its sequence is. For
   // trajectory files: one trajectory file.
   std::vector<std::filesystem::path> ground_truth;
-  std::vector<std::string> tables;  // of kTableNames; empty: all for which there are results and truth
+  std::vector<std::string> tables;   // of kTableNames; empty: all for which there are results and truth
+  std::filesystem::path detections;  // file to judge in place of the sequence's own; empty: none
   std::string format = "text";
   bool json = false;
   std::filesystem::path out;  // folder for the tables and all raw rows, see eval_output.h; empty: none
@@ -45,7 +48,8 @@ Evaluation MakeRunTables(const EvalArguments& arguments, const std::vector<RunTo
 
 // Prints two tables of observations, one of edges where the truth has them, one of trajectories and three of
 // objects a sequence, one of objects beside the paper's, and one of retrieval where a library is named.
-// Without runs: that of the library alone. Returns the exit status; throws InputError.
+// Without runs: that of the library alone; of sequence folders: those of detections. Returns the exit status;
+// throws InputError.
 int RunEval(EvalArguments arguments);
 
 // Adds the sub-command; once it is parsed, its callback runs RunEval and stores the exit status.

@@ -41,7 +41,8 @@ VisibleObject Visible(int object, double share) {
 
 std::vector<SimulatedDetection> Detected(const std::vector<VisibleObject>& visible,
                                          const DetectionNoise& noise, std::uint64_t seed = 1) {
-  return SimulateDetections(visible, TwoObjects(), kCamera, kCameraPose, noise, seed);
+  return SimulateDetections({{0, kCameraPose, visible}}, {kCamera, TwoObjects(), {}}, {noise, {}}, seed)
+      .front();
 }
 
 TEST(SimulatedDetections, WithoutNoiseAreTheTruth) {

@@ -12,6 +12,7 @@ namespace armature {
 namespace {
 
 using testing::AllFiles;
+using testing::ReadFile;
 using testing::TempFolder;
 
 struct Stopped : std::runtime_error {
@@ -29,6 +30,16 @@ TEST(GenerateSequence, AStopOnTheWayIsPassedOnAndLeavesNothing) {
                                     }};
   EXPECT_THROW(GenerateSequence(scene, collection, folder / "out", {.frames = 3}, progress), Stopped);
   EXPECT_TRUE(AllFiles(folder / "out").empty());
+}
+
+TEST(GenerateSequence, WithoutOdometryHasNoFileOfItAndNoUp) {
+  const TempFolder folder;
+  const std::string scene =
+      folder.Write("den.yaml", std::string(testing::kSmallScene) + "odometry: {kind: none}\n");
+  GenerateSequence(scene, DrawCollection({}), folder / "out", {.frames = 1}, {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/den/odometry.txt"));
+  EXPECT_EQ(ReadFile(folder / "out/den/sequence.yaml").find("up:"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/den/groundtruth.txt"));
 }
 
 TEST(GenerationStamp, IsOfWhatTheFolderWasMadeFrom) {

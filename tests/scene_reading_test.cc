@@ -91,7 +91,7 @@ TEST_F(SceneTest, ReadsEverySection) {
   EXPECT_TRUE(scene.path.clockwise);
   EXPECT_EQ(scene.effects.vignetting, 0.05);
   EXPECT_EQ(scene.odometry.rotation_noise_deg, 0.3);
-  EXPECT_EQ(scene.detections.turned, 0.05);
+  EXPECT_EQ(scene.detections.any.turned, 0.05);
 }
 
 TEST_F(SceneTest, StandsObjectsOnTheFloorAndTurnsThem) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera, effects and noise of a scene file.
+// Camera and effects of a scene file.
 #include "datasets/scene/scene_fields.h"
 #include "datasets/scene/scene_sections.h"
 
@@ -26,31 +26,6 @@ CameraEffects ReadEffects(const YamlMap& file) {
                                           Option("exposure_change", &effects.exposure_change, "", 0, 0.5),
                                           Option("vignetting", &effects.vignetting, "", 0, 1)});
   return effects;
-}
-
-OdometryNoise ReadOdometryNoise(const YamlMap& file) {
-  OdometryNoise noise;
-  ReadFields(
-      file.MapOrEmpty("odometry"),
-      {Option("scale", &noise.scale, "", 1e-3, 1e3), Option("scale_drift", &noise.scale_drift, "", -0.9, 10),
-       Option("heading_drift_deg", &noise.heading_drift_deg, "", -360, 360),
-       Option("translation_noise", &noise.translation_noise, "", 0, 1),
-       Option("rotation_noise_deg", &noise.rotation_noise_deg, "", 0, 45),
-       Option("tells_up", &noise.tells_up, "")});
-  return noise;
-}
-
-DetectionNoise ReadDetectionNoise(const YamlMap& file) {
-  DetectionNoise noise;
-  ReadFields(file.MapOrEmpty("detections"),
-             {Option("box", &noise.box, "", 0, 0.5), Option("missed", &noise.missed, "", 0, 1),
-              Option("false_alarms", &noise.false_alarms, "", 0, 100),
-              Option("min_visible", &noise.min_visible, "", 0, 1),
-              Option("min_size_px", &noise.min_size_px, "", 0, 10000),
-              Option("azimuth_deg", &noise.azimuth_deg, "", 0, 180),
-              Option("elevation_deg", &noise.elevation_deg, "", 0, 90),
-              Option("tilt_deg", &noise.tilt_deg, "", 0, 180), Option("turned", &noise.turned, "", 0, 1)});
-  return noise;
 }
 
 }  // namespace armature

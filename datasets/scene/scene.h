@@ -54,7 +54,7 @@ struct Scene {
   CameraPath path;
   CameraEffects effects;
   OdometryNoise odometry;
-  DetectionNoise detections;
+  DetectorNoise detections;
 };
 
 }  // namespace armature

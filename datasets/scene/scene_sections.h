@@ -14,7 +14,7 @@ Camera ReadCamera(const YamlMap& file);
 CameraPath ReadPath(const YamlMap& file);
 CameraEffects ReadEffects(const YamlMap& file);
 OdometryNoise ReadOdometryNoise(const YamlMap& file);
-DetectionNoise ReadDetectionNoise(const YamlMap& file);
+DetectorNoise ReadDetectorNoise(const YamlMap& file);
 
 Room ReadRoom(const YamlMap& file);
 // By default two below the ceiling.

@@ -93,7 +93,7 @@ Scene ReadScene(const std::filesystem::path& file, const std::vector<CadInstance
   CheckPath(map, scene);
   scene.effects = ReadEffects(map);
   scene.odometry = ReadOdometryNoise(map);
-  scene.detections = ReadDetectionNoise(map);
+  scene.detections = ReadDetectorNoise(map);
   return scene;
 }
 

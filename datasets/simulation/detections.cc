@@ -2,98 +2,90 @@
 #include "datasets/simulation/detections.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
+#include <set>
 
+#include "datasets/simulation/false_alarms.h"
+#include "datasets/simulation/object_detector.h"
 #include "geometry/random.h"
-#include "geometry/rotation.h"
-#include "geometry/viewpoint.h"
 
 namespace armature {
 namespace {
 
-constexpr double kLeastBox = 4;  // pixels each way, after the noise
+// Streams of random numbers beside those of the frames, which are numbered from 0.
+enum Beside : std::uint64_t { kObjects = 1ULL << 40, kDistractors, kBackground };
 
-Box ImageBox(const Camera& camera) {
-  return {-0.5, -0.5, static_cast<double>(camera.width), static_cast<double>(camera.height)};
-}
+class Detector {
+ public:
+  Detector(const DetectableScene& scene, const DetectorNoise& noise, std::uint64_t seed)
+      : scene_(scene), noise_(noise) {
+    const std::uint64_t of_objects = StreamSeed(seed, kObjects),
+                        of_distractors = StreamSeed(seed, kDistractors),
+                        of_background = StreamSeed(seed, kBackground);
+    std::set<std::string> categories;
+    for (size_t i = 0; i < scene.objects.size(); ++i) {
+      objects_.emplace_back(static_cast<int>(i) + 1, StreamSeed(of_objects, i));
+      categories.insert(scene.objects[i].category);
+    }
+    for (size_t i = 0; i < scene.distractors.size(); ++i)
+      distractors_.emplace_back(scene.distractors[i].shape, StreamSeed(of_distractors, i));
+    for (const std::string& category : categories)
+      background_.push_back({category, {category, StreamSeed(of_background, background_.size())}});
+  }
 
-Box Noisy(const Box& box, double noise, const Camera& camera, Random& random) {
-  const double left = random.Normal(box.left(), noise * box.width);
-  const double right = random.Normal(box.right(), noise * box.width);
-  const double top = random.Normal(box.top(), noise * box.height);
-  const double bottom = random.Normal(box.bottom(), noise * box.height);
-  return Intersection({left, top, right - left, bottom - top}, ImageBox(camera));
-}
+  std::vector<SimulatedDetection> Detect(const SeenFrame& frame, std::uint64_t seed) {
+    Random random(seed);
+    std::vector<SimulatedDetection> found;
+    for (const VisibleObject& seen : frame.visible) DetectSeen(frame, seen, random, &found);
+    for (Background& background : background_) {
+      for (Detection& alarm : background.alarms.Detect(frame, scene_, noise_.Of(background.category)))
+        found.push_back({std::move(alarm), ""});
+    }
+    for (int i = scene_.objects.empty() ? 0 : DrawCount(noise_.any.false_alarms, random); i > 0; --i)
+      found.push_back({RandomFalseAlarm(scene_, random), ""});
+    for (SimulatedDetection& detected : found)
+      detected.detection.score = std::min(1.0, detected.detection.score);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.detection.score > b.detection.score; });
+    return found;
+  }
 
-void SetViewpoint(const Eigen::Matrix3d& R_camera_object, const Camera& camera, const DetectionNoise& noise,
-                  Random& random, Detection* detection) {
-  const Viewpoint truth = ViewpointFromRotation(R_camera_object, camera.Ray(detection->box.center()));
-  const double turn = random.Uniform(0, 1) < noise.turned ? 180 * kDegree : 0;
-  detection->azimuth = WrapAngle(random.Normal(truth.azimuth + turn, noise.azimuth_deg * kDegree));
-  detection->elevation = random.Normal(truth.elevation, noise.elevation_deg * kDegree);
-  detection->tilt = random.Normal(truth.tilt, noise.tilt_deg * kDegree);
-}
+ private:
+  struct Background {
+    std::string category;
+    BackgroundAlarms alarms;
+  };
 
-bool IsDetectable(const VisibleObject& visible, const DetectionNoise& noise) {
-  return visible.visible_share >= noise.min_visible &&
-         std::max(visible.box.width, visible.box.height) >= noise.min_size_px;
-}
+  void DetectSeen(const SeenFrame& frame, const VisibleObject& seen, Random& random,
+                  std::vector<SimulatedDetection>* found) {
+    const size_t place = static_cast<size_t>(seen.object) - 1;
+    if (place < objects_.size()) {
+      std::vector<SimulatedDetection> of_object = objects_[place].Detect(frame, seen, scene_, noise_, random);
+      std::move(of_object.begin(), of_object.end(), std::back_inserter(*found));
+      return;
+    }
+    const std::optional<Detection> alarm =
+        distractors_[place - objects_.size()].Detect(frame, seen, scene_, noise_);
+    if (alarm) found->push_back({*alarm, ""});
+  }
 
-Detection FalseAlarm(const std::vector<DetectableObject>& objects, const Camera& camera, Random& random) {
-  Detection detection;
-  const auto pick = static_cast<size_t>(random.Uniform(0, static_cast<double>(objects.size())));
-  detection.category = objects[pick].category;
-  const double width = random.Uniform(0.05, 0.3) * camera.width, height = width * random.Uniform(0.6, 1.6);
-  const Box box{random.Uniform(-0.5, camera.width - width),
-                random.Uniform(-0.5, camera.height - 0.5 * height), width, height};
-  detection.box = Intersection(box, ImageBox(camera));
-  detection.score = random.Uniform(0.3, 0.7);
-  detection.azimuth = random.Uniform(-180, 180) * kDegree;
-  detection.elevation = random.Uniform(5, 30) * kDegree;
-  detection.tilt = random.Normal(0, 3 * kDegree);
-  return detection;
-}
-
-int FalseAlarms(double mean, Random& random) {
-  const double whole = std::floor(mean);
-  return static_cast<int>(whole) + (random.Uniform(0, 1) < mean - whole ? 1 : 0);
-}
+  const DetectableScene& scene_;
+  const DetectorNoise& noise_;
+  std::vector<ObjectDetector> objects_;
+  std::vector<DistractorDetector> distractors_;
+  std::vector<Background> background_;
+};
 
 }  // namespace
 
-DetectionNoise DetectionNoise::Times(double factor) const {
-  DetectionNoise times = *this;
-  for (double* value :
-       {&times.box, &times.false_alarms, &times.azimuth_deg, &times.elevation_deg, &times.tilt_deg})
-    *value *= factor;
-  for (double* share : {&times.missed, &times.turned}) *share = std::min(1.0, *share * factor);
-  return times;
-}
-
-std::vector<SimulatedDetection> SimulateDetections(const std::vector<VisibleObject>& visible,
-                                                   const std::vector<DetectableObject>& objects,
-                                                   const Camera& camera,
-                                                   const Eigen::Isometry3d& T_world_camera,
-                                                   const DetectionNoise& noise, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<SimulatedDetection> detections;
-  for (const VisibleObject& seen : visible) {
-    if (!IsDetectable(seen, noise) || random.Uniform(0, 1) < noise.missed) continue;
-    const DetectableObject& object = objects[static_cast<size_t>(seen.object) - 1];
-    Detection detection;
-    detection.category = object.category;
-    detection.box = Noisy(seen.box, noise.box, camera, random);
-    if (detection.box.width < kLeastBox || detection.box.height < kLeastBox) continue;
-    detection.score = random.Uniform(0.4, 0.6) + 0.39 * seen.visible_share;
-    SetViewpoint(T_world_camera.linear().transpose() * object.T_world_object.linear(), camera, noise, random,
-                 &detection);
-    detections.push_back({detection, object.id});
-  }
-  for (int i = FalseAlarms(noise.false_alarms, random); i > 0; --i) {
-    detections.push_back({FalseAlarm(objects, camera, random), ""});
-  }
-  std::stable_sort(detections.begin(), detections.end(),
-                   [](const auto& a, const auto& b) { return a.detection.score > b.detection.score; });
+std::vector<std::vector<SimulatedDetection>> SimulateDetections(const std::vector<SeenFrame>& frames,
+                                                                const DetectableScene& scene,
+                                                                const DetectorNoise& noise,
+                                                                std::uint64_t seed) {
+  Detector detector(scene, noise, seed);
+  std::vector<std::vector<SimulatedDetection>> detections;
+  for (size_t i = 0; i < frames.size(); ++i)
+    detections.push_back(detector.Detect(frames[i], StreamSeed(seed, i)));
   return detections;
 }
 

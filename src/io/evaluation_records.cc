@@ -68,8 +68,16 @@ ARMATURE_JSON_FIELDS(RetrievalRecord, sequence, run, category, queries, in_libra
                      f_score_by_true_shape);
 ARMATURE_JSON_FIELDS(PaperRecord, sequence, approach, objects, object_error_best_m, object_error_worst_m,
                      object_error_mean_m);
+ARMATURE_JSON_FIELDS(DetectionRecord, sequence, category, true_boxes, detections, recall_share,
+                     precision_share, duplicate_share, wrong_category_share, false_alarms_an_image,
+                     box_iou_median, views, azimuth_median_deg, views_within_15_deg_share, views_turned_share,
+                     elevation_bias_deg, box_error_rms_share, box_error_correlation_soon,
+                     box_error_correlation_later, azimuth_error_correlation_soon,
+                     azimuth_error_correlation_later, miss_mean_s, false_alarm_mean_s);
 
 namespace {
+
+constexpr const char* kDetectionsKey = "detections";
 
 // Calls visit(key, list) for each list of the records.
 template <typename Records, typename Visit>
@@ -130,11 +138,13 @@ void AppendRecords(EvaluationRecords more, EvaluationRecords& records) {
   append(more.uprightness, records.uprightness);
   append(more.retrieval, records.retrieval);
   append(more.paper, records.paper);
+  append(more.detections, records.detections);
 }
 
 std::string EvaluationRecordsJson(const EvaluationRecords& records) {
   nlohmann::ordered_json json{{"schema", kRecordsSchema}};
   VisitLists(records, [&](const char* key, const auto& list) { json[key] = list; });
+  if (!records.detections.empty()) json[kDetectionsKey] = records.detections;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -147,6 +157,7 @@ EvaluationRecords ReadEvaluationRecords(const std::filesystem::path& file) {
   EvaluationRecords records;
   try {
     VisitLists(records, [&](const char* key, auto& list) { ReadList(json, key, list); });
+    if (json.contains(kDetectionsKey)) ReadList(json, kDetectionsKey, records.detections);
   } catch (const InputError& error) {
     throw BadRecords(file, error.what());
   }

@@ -124,7 +124,24 @@ struct PaperRecord {
   double object_error_best_m = 0, object_error_worst_m = 0, object_error_mean_m = 0;
 };
 
-// Lists of what was not asked for, or has no truth, are empty.
+// Detections of a sequence against its true objects, without any run.
+struct DetectionRecord {
+  std::string sequence{};
+  std::optional<std::string> category{};  // none: all
+  long true_boxes = 0, detections = 0;
+  std::optional<double> recall_share{}, precision_share{}, duplicate_share{}, wrong_category_share{};
+  std::optional<double> false_alarms_an_image{}, box_iou_median{};
+  long views = 0;  // detections of a true object with a viewpoint
+  std::optional<double> azimuth_median_deg{}, views_within_15_deg_share{}, views_turned_share{},
+      elevation_bias_deg{};
+  // How long errors stay: correlations after 0.2 and 1 second, mean lengths in seconds.
+  std::optional<double> box_error_rms_share{}, box_error_correlation_soon{}, box_error_correlation_later{};
+  std::optional<double> azimuth_error_correlation_soon{}, azimuth_error_correlation_later{};
+  std::optional<double> miss_mean_s{}, false_alarm_mean_s{};
+};
+
+// Lists of what was not asked for, or has no truth, are empty; the file has that of detections only where it
+// was asked for.
 struct EvaluationRecords {
   std::vector<EvaluatedRunRecord> runs{};
   std::vector<ViewRecord> views{};
@@ -133,6 +150,7 @@ struct EvaluationRecords {
   std::vector<UprightnessRecord> uprightness{};
   std::vector<RetrievalRecord> retrieval{};
   std::vector<PaperRecord> paper{};
+  std::vector<DetectionRecord> detections{};
 };
 
 // At the ends of the lists.
