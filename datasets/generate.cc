@@ -39,7 +39,7 @@ struct Studio {
 
   Studio(const Scene& photographed, double detection_noise)
       : scene(photographed),
-        renderer(SceneMeshes(scene), scene.lamps, {}),
+        renderer(SceneMeshes(scene), scene.lamps, {.light_grid = scene.light_grid}),
         noise(scene.detections.Times(detection_noise)) {
     for (const SceneObject& object : scene.objects)
       objects.push_back({object.id, object.instance.category, object.T_world_object});
@@ -50,8 +50,9 @@ struct Studio {
 GeneratedSequence Planned(const Scene& scene, int frames) {
   GeneratedSequence sequence{scene.name, scene.about, scene.fps, scene.camera, std::nullopt, {}, {}};
   for (const SceneObject& object : scene.objects) {
-    sequence.objects.push_back({object.id, object.instance.category, "armature:" + object.instance.id,
-                                object.T_world_object, object.instance.size});
+    sequence.objects.push_back({object.id, object.instance.category,
+                                object.instance.prefix + object.instance.id, object.T_world_object,
+                                object.instance.size});
   }
   const auto T_world_camera = CameraPoses(scene.path, scene.frames, StreamSeed(scene.seed, kPath));
   const auto T_odom_camera =
@@ -65,12 +66,25 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
   return sequence;
 }
 
+// What the pictures show beside the scene's text: models of collections on disk.
+std::string OthersModels(const Scene& scene) {
+  std::string models;
+  for (const SceneObject& object : scene.objects) {
+    if (object.instance.collection != CadInstance().collection)
+      models += fmt::format(" {} {}", object.instance.id, CadPlyText(object.instance.mesh));
+  }
+  return models;
+}
+
 // Takes the picture and notes what is in it.
 cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame) {
   const Scene& scene = studio.scene;
   const RayScene& rays = studio.renderer.rays();
   const Picture picture = studio.renderer.Render(scene.camera, frame->T_world_camera);
-  const auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
+  auto visible = VisibleObjects(rays, picture.objects, scene.camera, frame->T_world_camera);
+  std::erase_if(visible, [&](const VisibleObject& seen) {  // distractors
+    return seen.object > static_cast<int>(studio.objects.size());
+  });
   const std::uint64_t seed =
       StreamSeed(StreamSeed(scene.seed, kDetections), static_cast<std::uint64_t>(index));
   frame->detections =
@@ -139,6 +153,7 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   const int frames = options.frames > 0 ? std::min(options.frames, scene.frames) : scene.frames;
   std::string made_from =
       fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file));
+  made_from += OthersModels(scene);
   if (options.draw != 1) made_from += fmt::format(" draw {}", options.draw);
   const std::string stamp = GenerationStamp(made_from);
   const fs::path folder = out / scene.name;
