@@ -45,7 +45,7 @@ struct Studio {
       lines = FindSurfaceLines(meshes, SegmentNoise{}.patterns_per_m2, StreamSeed(scene.seed, kSurfaceLines));
       own_rays.emplace(std::move(meshes));
     } else {
-      renderer.emplace(std::move(meshes), scene.lamps, RenderOptions{});
+      renderer.emplace(std::move(meshes), scene.lamps, RenderOptions{.light_grid = scene.light_grid});
     }
   }
 
@@ -56,8 +56,9 @@ struct Studio {
 GeneratedSequence Planned(const Scene& scene, int frames) {
   GeneratedSequence sequence{scene.name, scene.about, scene.fps, scene.camera, std::nullopt, false, {}, {}};
   for (const SceneObject& object : scene.objects) {
-    sequence.objects.push_back({object.id, object.instance.category, "armature:" + object.instance.id,
-                                object.T_world_object, object.instance.size});
+    sequence.objects.push_back({object.id, object.instance.category,
+                                object.instance.prefix + object.instance.id, object.T_world_object,
+                                object.instance.size});
   }
   const auto T_world_camera = CameraPoses(scene.path, scene.frames, StreamSeed(scene.seed, kPath));
   const auto T_odom_camera =
@@ -69,6 +70,16 @@ GeneratedSequence Planned(const Scene& scene, int frames) {
         {static_cast<double>(i) / scene.fps, T_world_camera[i], T_odom_camera[i], {}, {}, {}});
   }
   return sequence;
+}
+
+// What the pictures show beside the scene's text: models of collections on disk.
+std::string OthersModels(const Scene& scene) {
+  std::string models;
+  for (const SceneObject& object : scene.objects) {
+    if (object.instance.collection != CadInstance().collection)
+      models += fmt::format(" {} {}", object.instance.id, CadPlyText(object.instance.mesh));
+  }
+  return models;
 }
 
 // Notes where edges are in the picture and what is seen of the objects; `pixels`: of which they are.
@@ -151,6 +162,7 @@ void DetectAll(const Scene& scene, double detection_noise, std::vector<std::vect
     detectable.objects.push_back(
         {object.id, object.instance.category, object.T_world_object, object.instance.size});
   }
+  for (const ClutterPiece& piece : Distractors(scene)) detectable.distractors.push_back({piece.shape});
   std::vector<SeenFrame> seen;
   for (size_t i = 0; i < visible.size(); ++i) {
     const GeneratedFrame& frame = sequence->frames[i];
@@ -183,6 +195,7 @@ Generated GenerateSequence(const fs::path& scene_file, const std::vector<CadInst
   std::string made_from =
       fmt::format("sequence {} {} {}", frames, options.detection_noise, ReadTextFile(scene_file));
   if (options.lines_only) made_from += " lines only";
+  made_from += OthersModels(scene);
   if (options.draw != 1) made_from += fmt::format(" draw {}", options.draw);
   const std::string stamp = GenerationStamp(made_from);
   const fs::path folder = out / scene.name;

@@ -17,6 +17,8 @@
 #include "base/progress.h"
 #include "cli/data_folders.h"
 #include "cli/help.h"
+#include "datasets/cad/folder_collection.h"
+#include "datasets/rooms/generate_rooms.h"
 #include "datasets/scene/scene_yaml.h"
 #include "io/image.h"
 #include "io/segments_csv.h"
@@ -154,6 +156,50 @@ void ShowOnOneSheet(const std::vector<Generated>& sequences, const fs::path& fil
   PrintResult(fmt::format("{}: some of their pictures\n", file.string()));
 }
 
+std::uint64_t RoomSeed(const GenerateArguments& arguments) {
+  if (arguments.seed && !arguments.split.empty())
+    throw InputError("generate: --split and --seed both say which rooms; give one of them");
+  if (arguments.seed) return static_cast<std::uint64_t>(*arguments.seed);
+  if (arguments.split.empty() || arguments.split == "development") return kDevelopmentSeed;
+  if (arguments.split == "check") return kCheckSeed;
+  throw InputError("generate: --split: " +
+                   UnknownNameMessage("split", arguments.split, {"development", "check"}));
+}
+
+void CheckRoomArguments(const GenerateArguments& arguments) {
+  const bool has_scenes =
+      !arguments.scenes.empty() || !arguments.only.empty() || arguments.sequence.draw != 1;
+  const bool is_about_rooms =
+      arguments.count != 0 || arguments.first != 0 || !arguments.split.empty() || arguments.seed;
+  if (arguments.rooms.empty() && is_about_rooms)
+    throw InputError("generate: --count, --first, --split and --seed are about --rooms; name its recipe");
+  if (arguments.rooms.empty()) return;
+  if (has_scenes) throw InputError("generate: --rooms draws scenes; leave out --scene, --only and --draw");
+  if (arguments.count < 1) throw InputError("generate: --rooms needs --count N, how many rooms to draw");
+}
+
+int RunGenerateRooms(const GenerateArguments& arguments) {
+  const Recipe recipe = ReadRecipe(arguments.rooms);
+  const RoomsToMake rooms{arguments.first, arguments.count, RoomSeed(arguments)};
+  const Furniture furniture{CollectFurniture(DrawCollection({}), arguments.collections), FurnitureSpecs()};
+  std::vector<std::string> made;
+  std::vector<Generated> sequences;
+  std::vector<RoomPictures> pictures;
+  for (const RoomFile& file : WriteRooms(recipe, furniture, rooms, arguments.out)) {
+    sequences.push_back(InterruptedAfter(made, [&] {
+      return GenerateWithProgress(file.scene, furniture.collection, arguments.out, arguments.sequence);
+    }));
+    made.push_back(sequences.back().folder.string());
+    pictures.push_back({sequences.back().folder, file.plan});
+    Say(sequences.back(), "sequence with ground truth");
+  }
+  const std::string first = RoomName(recipe, rooms, rooms.first);
+  const fs::path sheet = arguments.out / (first.substr(0, first.rfind('-')) + ".jpg");
+  WritePicture(sheet, RoomSheet(pictures));
+  PrintResult(fmt::format("{}: two pictures of each, and its plan\n", sheet.string()));
+  return 0;
+}
+
 CommandHelp GenerateHelp() {
   return {
       .description =
@@ -163,22 +209,30 @@ CommandHelp GenerateHelp() {
           "are YAML files, also of your own (datasets/README.md).",
       .files = {{"OUT/cad/", "CAD models, their annotated edges and instances.csv"},
                 {"OUT/<scene>/", "a sequence: sequence.yaml, rgb/, detections.csv, odometry.txt; the truth"},
-                {"OUT/contact_sheet.jpg", "some pictures of all sequences"}},
+                {"OUT/contact_sheet.jpg", "some pictures of all sequences"},
+                {"OUT/<recipe>-<split>-<number>/",
+                 "with --rooms: a sequence a room, and its scene file beside"},
+                {"OUT/<recipe>-<split>.jpg", "with --rooms: two pictures and a plan of each room"}},
       .exit_status = {},
       .examples = {{"all of it, about a minute on two cores", "armature generate --out datasets/generated"},
                    {"ten frames of one scene with detections twice as wrong",
                     "armature generate --out runs/noisy --only seq3 --frames 10 --detection-noise 2 "
-                    "--without-cad"}}};
+                    "--without-cad"},
+                   {"40 rooms of many kinds, five minutes on two cores",
+                    "armature generate --rooms configs/rooms/mixed.yaml --count 40 --out runs/rooms"}}};
 }
 
 }  // namespace
 
 int RunGenerate(const GenerateArguments& arguments) {
+  CheckRoomArguments(arguments);
+  if (!arguments.rooms.empty()) return RunGenerateRooms(arguments);
   const std::vector<fs::path> scenes = ScenesToMake(arguments);
   const CollectionOptions collection_options;
   const std::vector<CadInstance> collection = DrawCollection(collection_options);
+  const std::vector<CadInstance> furniture = CollectFurniture(collection, arguments.collections);
   for (const fs::path& scene : scenes)
-    ReadScene(scene, collection, arguments.sequence.draw);  // all have to be right before anything is written
+    ReadScene(scene, furniture, arguments.sequence.draw);  // all have to be right before anything is written
   std::vector<std::string> made;
   if (!arguments.without_cad) {
     const Generated cad = GenerateCad(arguments.out / "cad", collection_options, collection);
@@ -188,7 +242,7 @@ int RunGenerate(const GenerateArguments& arguments) {
   std::vector<Generated> sequences;
   for (const fs::path& scene : scenes) {
     sequences.push_back(InterruptedAfter(
-        made, [&] { return GenerateWithProgress(scene, collection, arguments.out, arguments.sequence); }));
+        made, [&] { return GenerateWithProgress(scene, furniture, arguments.out, arguments.sequence); }));
     made.push_back(sequences.back().folder.string());
     Say(sequences.back(), "sequence with ground truth");
   }
@@ -216,6 +270,29 @@ void AddGenerateCommand(CLI::App& app, int& exit_status) {
               ShippedScenes());
   generate->add_option("--scene", a.scenes, "scene files of your own instead (datasets/README.md)")
       ->type_name("FILE");
+  generate
+      ->add_option("--collection", a.collections,
+                   "folder of annotated CAD models that scenes may place beside our own families, as "
+                   "`armature retrieve --build --cad` reads them")
+      ->type_name("CAD");
+  BeginSection(*generate, "Rooms from a recipe");
+  generate->add_option("--rooms", a.rooms, "draw rooms from this recipe instead (configs/rooms)")
+      ->type_name("FILE");
+  generate->add_option("--count", a.count, "how many rooms")->check(CLI::PositiveNumber)->type_name("N");
+  generate->add_option("--first", a.first, "number of the first one")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("K")
+      ->capture_default_str();
+  KnownValues(*generate
+                   ->add_option("--split", a.split,
+                                "which of the published rooms (default: development); check is for reports "
+                                "only, never to choose by")
+                   ->type_name("NAME"),
+              {"development", "check"});
+  generate->add_option("--seed", a.seed, "rooms of another seed instead of a split")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("S");
+  BeginSection(*generate, "Pictures");
   generate->add_option("--frames", a.sequence.frames, "only the first N pictures of each path")
       ->check(CLI::PositiveNumber)
       ->type_name("N");

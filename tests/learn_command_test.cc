@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "category/kept_apart.h"
 #include "datasets/cad/collection_files.h"
 #include "datasets/cad/families.h"
 #include "io/category_yaml.h"
@@ -55,6 +56,31 @@ TEST(LearnCommand, LearnsTheShippedTableAgain) {
   EXPECT_LT((learnt.mean - shipped.mean).norm(), 1e-7);
   EXPECT_EQ(learnt.source, shipped.source);
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".partial"));
+}
+
+// One of six models by this rule; the others are what is learnt from.
+TEST(LearnCommand, LeavesOutTheModelsThatRoomsAreDrawnFrom) {
+  const TempFolder folder;
+  const std::vector<CadInstance> chairs = DrawCollection({.chairs = 60, .tables = 0, .laptops = 0});
+  WriteCollection(chairs, folder.path());
+  int kept_apart = 0, all = 0;
+  for (const CadInstance& chair : chairs) {
+    if (chair.held_out) continue;
+    ++all;
+    kept_apart += IsKeptApart(chair.id) ? 1 : 0;
+  }
+  ASSERT_GT(kept_apart, 0);
+  const std::string arguments = Spec("chair") + " --metric --annotations " +
+                                (folder / "chair_edges.csv").string() + " --out " +
+                                (folder / "chair.yaml").string();
+  EXPECT_NE(Learn(arguments).find(fmt::format(" of {}", all)), std::string::npos);
+  EXPECT_NE(Learn(arguments + " --without-held-out").find(fmt::format(" of {}", all - kept_apart)),
+            std::string::npos);
+  ExpectInputError(
+      [&] {
+        Learn(Spec("table") + " --family table --without-held-out --out " + (folder / "t.yaml").string());
+      },
+      {"--without-held-out", "--annotations"});
 }
 
 TEST(LearnCommand, WritesIntoAFolderThatDoesNotExistYet) {

@@ -100,6 +100,45 @@ TEST(CameraPath, PassesItsKeyframes) {
   }
 }
 
+TEST(CameraPath, PassesKeyframesOfOtherHeightPitchAndRoll) {
+  CameraPath path;
+  path.kind = CameraPath::Kind::kKeyframes;
+  path.sway = 0, path.sway_deg = 0;
+  path.height = 1.2, path.pitch_deg = 10;
+  path.keyframes = {{{0, 0}, 0, 1.0, 20, 5}, {{1, 0}, 0, 1.6, {}, -10}, {{2, 0}, 0}};
+  const std::vector<Isometry3d> poses = CameraPoses(path, 21, 1);
+  const auto pitch_deg = [](const Isometry3d& pose) { return std::asin(-pose.linear()(2, 2)) / kDegree; };
+  EXPECT_NEAR(poses[0].translation().z(), 1.0, 1e-12);
+  EXPECT_NEAR(poses[10].translation().z(), 1.6, 1e-12);
+  EXPECT_NEAR(poses[20].translation().z(), 1.2, 1e-12);
+  EXPECT_NEAR(pitch_deg(poses[0]), 20, 1e-9);
+  EXPECT_NEAR(pitch_deg(poses[10]), 10, 1e-9);
+  const Eigen::Matrix3d level = CameraPoses({.kind = CameraPath::Kind::kKeyframes,
+                                             .pitch_deg = 10,
+                                             .keyframes = {{{1, 0}, 0}, {{2, 0}, 0}},
+                                             .sway_deg = 0,
+                                             .sway = 0},
+                                            2, 1)[0]
+                                    .linear();
+  const Eigen::AngleAxisd roll(level.transpose() * poses[10].linear());
+  EXPECT_NEAR(roll.angle() / kDegree, 10, 1e-9);
+  EXPECT_NEAR(roll.axis().z(), -1, 1e-9);
+}
+
+TEST(CameraPath, RestsBetweenKeyframesOfOnePlace) {
+  CameraPath path;
+  path.kind = CameraPath::Kind::kKeyframes;
+  path.sway = 0, path.sway_deg = 0;
+  path.keyframes = {{{0, 0}, 0}, {{1, 0}, 0}, {{1, 0}, 40}, {{1, 0}, 40}, {{2, 1}, 0}};
+  const std::vector<Isometry3d> poses = CameraPoses(path, 41, 1);
+  for (size_t i = 10; i <= 30; ++i) EXPECT_EQ(poses[i].translation(), poses[10].translation());  // turns only
+  for (size_t i = 20; i <= 30; ++i) EXPECT_EQ(poses[i].matrix(), poses[20].matrix());  // stands still
+  EXPECT_GT(AngleBetweenDeg(HeadingDeg(poses[10]), HeadingDeg(poses[15])), 10);
+  for (size_t i = 1; i < poses.size(); ++i) {  // comes to rest and starts without a jump
+    EXPECT_LT((poses[i].translation() - poses[i - 1].translation()).norm(), 0.25);
+  }
+}
+
 TEST(CameraPath, SwaysSlowlyAndBySeed) {
   CameraPath path = StillLoop();
   const std::vector<Isometry3d> still = CameraPoses(path, 600, 1);

@@ -116,6 +116,33 @@ TEST_F(SceneTest, StandsObjectsOnTablesInTheirFrame) {
   EXPECT_TRUE((laptop.linear() * Vector3d::UnitZ()).isApprox(-Vector3d::UnitY(), 1e-12));
 }
 
+TEST_F(SceneTest, GivesObjectsOtherSizes) {
+  const Scene scene = ReadObjects(
+      "  - {id: a, category: chair, instance: chair-0001, position: [1, 0], scale: 1.1}\n"
+      "  - {id: b, category: chair, instance: chair-0001, position: [-1, 0], size: [0.5, 1, 0.6]}\n");
+  EXPECT_TRUE(scene.objects[0].instance.size.isApprox(1.1 * Vector3d(0.46, 0.9, 0.52)));
+  EXPECT_NEAR(scene.objects[0].T_world_object.translation().z(), 0.495, 1e-9);
+  EXPECT_TRUE(scene.objects[1].instance.size.isApprox(Vector3d(0.5, 1, 0.6)));
+  EXPECT_TRUE(BoundingBox(scene.objects[1].instance.mesh).sizes().isApprox(Vector3d(0.5, 1, 0.6)));
+  ExpectObjectError("  - {id: a, category: chair, position: [1, 0], scale: 1.1, size: [1, 1, 1]}\n", 1,
+                    {"objects[0].scale", "leave one out"});
+}
+
+TEST_F(SceneTest, FindsInstancesOfAnyCollection) {
+  CadInstance other = testing::BlockChair("seat-7", {0.4, 0.8, 0.4});
+  other.collection = "published", other.held_out = true;
+  collection_.push_back(other);
+  const auto chosen = [&](const std::string& keys) {
+    return ReadObjects("  - {id: a, category: chair, position: [1, 2]" + keys + "}\n").objects[0].instance.id;
+  };
+  EXPECT_EQ(chosen(", instance: seat-7"), "seat-7");
+  EXPECT_EQ(chosen(", collection: published"), "seat-7");
+  EXPECT_EQ(chosen(", collection: armature"), "chair-0010");
+  EXPECT_EQ(chosen(""), "chair-0010");  // others are only sampled where they are named
+  ExpectObjectError("  - {id: a, category: chair, collection: publishd, position: [1, 2]}\n", 1,
+                    {"publishd", "published", "--collection"});
+}
+
 TEST_F(SceneTest, SamplesAmongTheHeldOut) {
   for (int seed = 0; seed < 5; ++seed) {
     const Scene scene = Read(fmt::format(

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One annotated CAD model of our own families.
+// One annotated CAD model that can be placed in a scene: of our own families, or of a collection on disk.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,15 @@ namespace armature {
 // Mesh and edges are in the object frame (y up, front +z), its origin at the centre of the mesh's bounding
 // box, metres.
 struct CadInstance {
-  std::string id;        // "chair-0007"
-  std::string category;  // "chair"
+  std::string id;                       // "chair-0007"
+  std::string category;                 // "chair"
+  std::string collection = "armature";  // as scenes name it
+  std::string prefix = "armature:";     // of its name in ground truth and libraries
   Mesh mesh;
-  Wireframe wireframe;            // edges in the order of EdgeNames
-  Eigen::Vector3d size{0, 0, 0};  // of the mesh's bounding box
-  bool held_out = false;          // not to be learnt from: for sequences and retrieval queries
+  std::function<Mesh()> read_mesh;  // of collections on disk: read when it is needed, see Loaded()
+  Wireframe wireframe;              // edges in the order of EdgeNames
+  Eigen::Vector3d size{0, 0, 0};    // of the mesh's bounding box
+  bool held_out = false;            // not to be learnt from: for sequences and retrieval queries
 };
 
 struct CollectionOptions {

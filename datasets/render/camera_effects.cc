@@ -147,7 +147,7 @@ cv::Mat3b WithNoise(const cv::Mat3f& levels, double sigma, std::uint32_t seed) {
 cv::Mat3b Develop(const cv::Mat3f& radiance, const CameraEffects& effects, std::uint64_t seed, int frame) {
   Random random(FrameSeed(seed, frame));
   cv::Mat3f picture = radiance.clone();
-  Expose(Exposure(effects.exposure_change, seed, frame), effects.vignetting, &picture);
+  Expose(effects.exposure * Exposure(effects.exposure_change, seed, frame), effects.vignetting, &picture);
   Blur(effects, &random, &picture);
   ApplyToneCurve(&picture);
   return WithNoise(picture, effects.noise, static_cast<std::uint32_t>(random.Uniform(0, 4294967296.0)));

@@ -11,6 +11,7 @@ struct CameraEffects {
   double blur_px = 0.5;           // sigma of the lens, pixels
   double motion_blur_px = 0.5;    // mean length of the motion during an exposure, pixels
   double noise = 2.0;             // sigma of mid grey, grey levels of 255
+  double exposure = 1;            // 1: well exposed, less: darker
   double exposure_change = 0.06;  // sigma of the exposure's slow change over the frames, share
   double vignetting = 0.15;       // share of the light that is lost in the corners
 };

@@ -19,6 +19,9 @@ using std::numbers::pi;
 struct Waypoint {
   Vector2d position{0, 0};  // world, metres
   double heading = 0;       // of the optical axis, radians
+  double rise = 0;          // above the path's height, metres
+  double dip = 0;           // below the path's pitch, degrees
+  double roll = 0;          // degrees
 };
 
 double SmoothStep(double t) { return t * t * (3 - 2 * t); }
@@ -49,7 +52,9 @@ Waypoint LoopPoint(const CameraPath& path, double share) {
     at.position.y() = -at.position.y();
     at.heading = -at.heading;
   }
-  return {path.centre + at.position, at.heading + path.heading_offset_deg * kDegree};
+  at.position += path.centre;
+  at.heading += path.heading_offset_deg * kDegree;
+  return at;
 }
 
 Waypoint TurnPoint(const CameraPath& path, double share) {
@@ -57,33 +62,50 @@ Waypoint TurnPoint(const CameraPath& path, double share) {
   return {path.centre, path.start_deg * kDegree + turned};
 }
 
-Vector3d CatmullRom(const std::array<Vector3d, 4>& p, double t) {
+// x, y, height, heading, pitch, roll of a keyframe: metres and radians, pitch and roll in degrees; height and
+// pitch against the path's.
+using KeyframeValues = Eigen::Matrix<double, 6, 1>;
+
+KeyframeValues CatmullRom(const std::array<KeyframeValues, 4>& p, double t) {
   return 0.5 * (2 * p[1] + t * (p[2] - p[0]) + t * t * (2 * p[0] - 5 * p[1] + 4 * p[2] - p[3]) +
                 t * t * t * (3 * p[1] - p[0] - 3 * p[2] + p[3]));
 }
 
-// Position and heading of each keyframe; headings go the shorter way round from one to the next.
-std::vector<Vector3d> KeyframeValues(const std::vector<CameraPath::Keyframe>& keyframes) {
-  std::vector<Vector3d> values;
-  for (const CameraPath::Keyframe& key : keyframes) {
+// Headings go the shorter way round from one to the next.
+std::vector<KeyframeValues> ListValues(const CameraPath& path) {
+  std::vector<KeyframeValues> values;
+  for (const CameraPath::Keyframe& key : path.keyframes) {
     double heading = key.heading_deg * kDegree;
-    if (!values.empty()) heading = values.back().z() + WrapAngle(heading - values.back().z());
-    values.emplace_back(key.position.x(), key.position.y(), heading);
+    if (!values.empty()) heading = values.back()[3] + WrapAngle(heading - values.back()[3]);
+    values.emplace_back(key.position.x(), key.position.y(), key.height.value_or(path.height) - path.height,
+                        heading, key.pitch_deg.value_or(path.pitch_deg) - path.pitch_deg, key.roll_deg);
   }
   return values;
 }
 
+// Lets the curve begin or end its way from p[1] to p[2] at rest where the camera rests before or after it:
+// in the rows from `first` on, `count` of them.
+void RestAtPauses(bool has_before, bool has_after, int first, int count, std::array<KeyframeValues, 4>* p) {
+  const auto rows = [&](size_t i) { return (*p)[i].segment(first, count); };
+  const bool rests = rows(1) == rows(2);
+  if (rests || (has_before && rows(0) == rows(1))) (*p)[0].segment(first, count) = rows(2).eval();
+  if (rests || (has_after && rows(2) == rows(3))) (*p)[3].segment(first, count) = rows(1).eval();
+}
+
 Waypoint KeyframePoint(const CameraPath& path, double share) {
-  const std::vector<Vector3d> values = KeyframeValues(path.keyframes);
+  const std::vector<KeyframeValues> values = ListValues(path);
   const int last = static_cast<int>(values.size()) - 1;
   const double along = share * last;
   const int first = std::clamp(static_cast<int>(along), 0, std::max(last - 1, 0));
-  std::array<Vector3d, 4> around;
+  std::array<KeyframeValues, 4> around;
   for (int i = 0; i < 4; ++i) {
     around[static_cast<size_t>(i)] = values[static_cast<size_t>(std::clamp(first - 1 + i, 0, last))];
   }
-  const Vector3d at = CatmullRom(around, along - first);
-  return {at.head<2>(), at.z()};
+  RestAtPauses(first > 0, first + 2 <= last, 0, 3, &around);
+  if (around[1] == around[2])
+    return {around[1].head<2>(), around[1][3], around[1][2], around[1][4], around[1][5]};
+  const KeyframeValues at = CatmullRom(around, along - first);
+  return {at.head<2>(), at[3], at[2], at[4], at[5]};
 }
 
 Waypoint PathPoint(const CameraPath& path, double share) {
@@ -135,12 +157,13 @@ std::vector<Eigen::Isometry3d> CameraPoses(const CameraPath& path, int frames, s
   for (int i = 0; i < frames; ++i) {
     const Waypoint at = PathPoint(path, frames > 1 ? static_cast<double>(i) / (frames - 1) : 0);
     Eigen::Isometry3d& T_world_camera = poses[static_cast<size_t>(i)];
-    T_world_camera.translation() =
-        Vector3d(at.position.x(), at.position.y(), path.height) + shift * Vector3d(x.At(i), y.At(i), z.At(i));
-    const double down = (path.pitch_deg + path.sway_deg * pitch.At(i)) * kDegree;
+    T_world_camera.translation() = Vector3d(at.position.x(), at.position.y(), path.height + at.rise) +
+                                   shift * Vector3d(x.At(i), y.At(i), z.At(i));
+    const double down = (path.pitch_deg + at.dip + path.sway_deg * pitch.At(i)) * kDegree;
     T_world_camera.linear() =
         LevelAxes(at.heading, down) *
-        Eigen::AngleAxisd(path.sway_deg * roll.At(i) * kDegree, Vector3d::UnitZ()).toRotationMatrix();
+        Eigen::AngleAxisd((at.roll + path.sway_deg * roll.At(i)) * kDegree, Vector3d::UnitZ())
+            .toRotationMatrix();
   }
   return poses;
 }

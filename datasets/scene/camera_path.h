@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the camera is: paths of a small flying robot at constant height.
+// Where the camera is: paths of a small flying robot at constant height, and any others through keyframes.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace armature {
@@ -15,8 +16,11 @@ struct CameraPath {
     kKeyframes,  // smoothly through given poses
   };
   struct Keyframe {
-    Eigen::Vector2d position{0, 0};  // x, y of the world, metres
-    double heading_deg = 0;          // of the optical axis, counter-clockwise from the world's x
+    Eigen::Vector2d position{0, 0};   // x, y of the world, metres
+    double heading_deg = 0;           // of the optical axis, counter-clockwise from the world's x
+    std::optional<double> height;     // metres; none: the path's
+    std::optional<double> pitch_deg;  // none: the path's
+    double roll_deg = 0;              // about the optical axis, clockwise as the camera sees it
   };
 
   Kind kind = Kind::kLoop;
@@ -36,7 +40,9 @@ struct CameraPath {
 // T_world_camera (x right, y down, z forward) of `frames` images, evenly along the path from its first point
 // to its last. A loop starts at its corner of least x and y (clockwise: of least x and greatest y) along the
 // world's x, at constant speed; in its half circles the heading turns smoothly from one straight's to the
-// other's. Keyframes are passed on a Catmull-Rom curve. Sway is slow (periods of some twenty to sixty images)
+// other's. Keyframes are passed on a Catmull-Rom curve; where
+// two in a row have one position (and height), the camera stays there between them, and where they are the
+// same in all, it does not move at all. Sway is slow (periods of some twenty to sixty images)
 // and drawn with the seed.
 std::vector<Eigen::Isometry3d> CameraPoses(const CameraPath& path, int frames, std::uint64_t seed);
 

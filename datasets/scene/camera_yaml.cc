@@ -20,11 +20,12 @@ Camera ReadCamera(const YamlMap& file) {
 
 CameraEffects ReadEffects(const YamlMap& file) {
   CameraEffects effects;
-  ReadFields(file.MapOrEmpty("effects"), {Option("blur_px", &effects.blur_px, "", 0, 20),
-                                          Option("motion_blur_px", &effects.motion_blur_px, "", 0, 100),
-                                          Option("noise", &effects.noise, "", 0, 100),
-                                          Option("exposure_change", &effects.exposure_change, "", 0, 0.5),
-                                          Option("vignetting", &effects.vignetting, "", 0, 1)});
+  ReadFields(file.MapOrEmpty("effects"),
+             {Option("blur_px", &effects.blur_px, "", 0, 20),
+              Option("motion_blur_px", &effects.motion_blur_px, "", 0, 100),
+              Option("noise", &effects.noise, "", 0, 100), Option("exposure", &effects.exposure, "", 0.05, 5),
+              Option("exposure_change", &effects.exposure_change, "", 0, 0.5),
+              Option("vignetting", &effects.vignetting, "", 0, 1)});
   return effects;
 }
 

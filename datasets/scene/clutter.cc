@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "datasets/cad/solids.h"
+#include "datasets/scene/distractors.h"
 #include "geometry/rotation.h"
 
 namespace armature {
@@ -96,20 +97,31 @@ Colour PickOne(const std::array<Colour, 5>& colours, Random& random) {
 }  // namespace
 
 const std::vector<std::string>& ClutterShapes() {
-  static const std::vector<std::string> shapes{"box", "cylinder", "books", "paper"};
+  static const std::vector<std::string> shapes = [] {
+    std::vector<std::string> all{"box", "cylinder", "books", "paper"};
+    all.insert(all.end(), DistractorShapes().begin(), DistractorShapes().end());
+    return all;
+  }();
   return shapes;
+}
+
+bool IsDistractor(const std::string& shape) {
+  const std::vector<std::string>& shapes = DistractorShapes();
+  return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
 }
 
 Mesh ClutterMesh(const std::string& shape, const Vector3d& size, const Colour& colour, Random& random) {
   if (shape == "cylinder") return Bin(size, colour, random);
   if (shape == "books") return Books(size, colour, random);
   if (shape == "paper") return Sheets(size, colour, random);
+  if (IsDistractor(shape)) return DistractorMesh(shape, size, colour, random);
   return Cardboard(size, colour, random);
 }
 
 Colour DrawClutterColour(const std::string& shape, Random& random) {
   using Colours = std::array<Colour, 5>;
   if (shape == "paper") return kPaper;
+  if (IsDistractor(shape)) return DrawDistractorColour(shape, random);
   if (shape == "books") {
     return PickOne(Colours{Colour(0.5, 0.22, 0.2), Colour(0.2, 0.3, 0.45), Colour(0.25, 0.38, 0.28),
                            Colour(0.72, 0.66, 0.52), Colour(0.28, 0.26, 0.26)},

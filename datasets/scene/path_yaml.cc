@@ -58,8 +58,15 @@ void ReadKeyframes(const YamlMap& map, const Fields& common, CameraPath* path) {
   ReadFields(map, Joined(common, {Option("sway", &path->sway, "", 0, 1)}), {"kind", "keyframes"});
   for (const YamlMap& item : map.Maps("keyframes")) {
     CameraPath::Keyframe key;
-    ReadFields(item, {Option("heading_deg", &key.heading_deg, "", -720, 720)}, {"position"});
+    double height = path->height, pitch_deg = path->pitch_deg;
+    ReadFields(
+        item,
+        {Option("heading_deg", &key.heading_deg, "", -720, 720), Option("height", &height, "", 0, 1000),
+         Option("pitch_deg", &pitch_deg, "", -89, 89), Option("roll_deg", &key.roll_deg, "", -180, 180)},
+        {"position"});
     key.position = ReadPair(item, "position");
+    if (item.Has("height")) key.height = height;
+    if (item.Has("pitch_deg")) key.pitch_deg = pitch_deg;
     path->keyframes.push_back(key);
   }
   if (path->keyframes.size() < 2) throw InputError(map.At("keyframes", "needs two or more poses; add some"));

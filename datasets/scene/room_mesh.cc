@@ -2,6 +2,7 @@
 #include "datasets/scene/room_mesh.h"
 
 #include "datasets/cad/solids.h"
+#include "datasets/scene/clutter.h"
 #include "datasets/scene/scattered_clutter.h"
 #include "datasets/scene/walls.h"
 #include "geometry/random.h"
@@ -75,6 +76,14 @@ Mesh Housings(const Scene& scene) {
 
 }  // namespace
 
+std::vector<ClutterPiece> Distractors(const Scene& scene) {
+  std::vector<ClutterPiece> distractors;
+  for (const ClutterPiece& piece : scene.clutter) {
+    if (IsDistractor(piece.shape)) distractors.push_back(piece);
+  }
+  return distractors;
+}
+
 std::vector<PlacedMesh> SceneMeshes(const Scene& scene) {
   std::vector<PlacedMesh> meshes;
   int object = kRoom;
@@ -86,7 +95,10 @@ std::vector<PlacedMesh> SceneMeshes(const Scene& scene) {
                            WallDecoration(scene.room, decoration), Housings(scene)}) {
     if (!mesh.parts.empty()) meshes.push_back({mesh});
   }
-  for (const ClutterPiece& piece : scene.clutter) meshes.push_back({piece.mesh, piece.T_world_mesh});
+  for (const ClutterPiece& piece : scene.clutter) {
+    const bool is_numbered = IsDistractor(piece.shape);
+    meshes.push_back({piece.mesh, piece.T_world_mesh, is_numbered ? ++object : kRoom});
+  }
   for (const ClutterPiece& piece : ScatteredClutter(scene))
     meshes.push_back({piece.mesh, piece.T_world_mesh});
   return meshes;

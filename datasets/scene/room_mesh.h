@@ -10,8 +10,8 @@
 namespace armature {
 
 // Objects first, numbered 1, 2, ... in the order of the scene; then the room: floor, walls, ceiling, skirting
-// boards, a door, a window, pictures, the lamps' housings, and clutter, the file's and scattered one. The
-// same for the same scene.
+// boards, a door, a window, pictures, the lamps' housings, and clutter, the file's and scattered one.
+// Distractors are numbered after the objects, in the order of Distractors(). The same for the same scene.
 std::vector<PlacedMesh> SceneMeshes(const Scene& scene);
 
 }  // namespace armature

@@ -55,7 +55,8 @@ bool IsFree(const OrientedBox& box, const Taken& taken) {
 double TurnedBy(Random& random, double most_deg) { return random.Uniform(-most_deg, most_deg) * kDegree; }
 
 ClutterPiece Drawn(const std::string& shape, const Vector3d& size, Random& random) {
-  return {ClutterMesh(shape, size, DrawClutterColour(shape, random), random), Isometry3d::Identity()};
+  return {ClutterMesh(shape, size, DrawClutterColour(shape, random), random), Isometry3d::Identity(), shape,
+          ""};
 }
 
 ClutterPiece ForFloor(Random& random) {
@@ -133,7 +134,7 @@ std::vector<ClutterPiece> ScatteredClutter(const Scene& scene) {
   AddPieces(
       scene.room.clutter, [&] { return AtWall(scene.room, random); }, &taken, &pieces);
   for (const SceneObject& object : scene.objects) {
-    if (!IsSupport(object)) continue;
+    if (object.instance.category != "table") continue;
     AddPieces(
         scene.room.table_clutter, [&] { return OnTable(object, random); }, &taken, &pieces);
   }

@@ -38,6 +38,8 @@ struct SceneObject {
 struct ClutterPiece {
   Mesh mesh;
   Eigen::Isometry3d T_world_mesh = Eigen::Isometry3d::Identity();
+  std::string shape;  // one of ClutterShapes()
+  std::string id;     // letters, digits, '-' and '_'; empty: it has none
 };
 
 struct Scene {
@@ -51,10 +53,14 @@ struct Scene {
   std::vector<SceneObject> objects;
   std::vector<ClutterPiece> clutter;
   std::vector<Lamp> lamps;
+  double light_grid = 0.03;  // metres between points where the light is computed
   CameraPath path;
   CameraEffects effects;
   OdometryNoise odometry;
   DetectorNoise detections;
 };
+
+// Furniture that no category covers, of the scene's clutter in its order: detectors take it for objects.
+std::vector<ClutterPiece> Distractors(const Scene& scene);
 
 }  // namespace armature

@@ -28,7 +28,8 @@ std::vector<Obstacle> Obstacles(const Scene& scene) {
   }
   for (size_t i = 0; i < scene.clutter.size(); ++i) {
     const ClutterPiece& piece = scene.clutter[i];
-    obstacles.push_back({fmt::format("clutter[{}]", i), MakeSolid(piece.mesh, piece.T_world_mesh).around});
+    obstacles.push_back({piece.id.empty() ? fmt::format("clutter[{}]", i) : piece.id,
+                         MakeSolid(piece.mesh, piece.T_world_mesh).around});
   }
   return obstacles;
 }
@@ -70,7 +71,8 @@ void ReadHead(const YamlMap& map, int draw, Scene* scene) {
   int seed = 1;
   ReadFields(map,
              {Option("seed", &seed, "", 0), Option("fps", &scene->fps, "", 0.01, 1000),
-              Option("frames", &scene->frames, "", 1, 100000)},
+              Option("frames", &scene->frames, "", 1, 100000),
+              Option("light_grid", &scene->light_grid, "", 0.005, 1)},
              {"name", "about", "camera", "room", "objects", "clutter", "lamps", "path", "effects", "odometry",
               "detections"});
   if (map.Has("about")) scene->about = map.Text("about");

@@ -6,10 +6,11 @@
 
 namespace armature {
 
-// Whether things can stand on it: tables only.
+// Whether things can stand on it: tables, and chairs whose seat is annotated.
 bool IsSupport(const SceneObject& object);
 
-// The frame in the middle of an object's upper side: z up, x the object's x, y the object's -z.
+// The frame in the middle of an object's upper side, of a chair's seat: z up, x the object's x, y the
+// object's -z.
 Eigen::Isometry3d FindTop(const SceneObject& object);
 
 // T_world_object of an instance that stands on the frame's x-y plane, above its origin, its front at -y.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/errors.h"
+#include "category/kept_apart.h"
 #include "category/normalise.h"
 #include "io/annotations.h"
 
@@ -23,10 +24,12 @@ Wireframe InMetres(const TrainingSpec& spec, const Wireframe& wireframe, bool me
 
 TrainingModels AnnotatedTrainingModels(const TrainingSpec& spec, const AnnotatedFile& annotations) {
   TrainingModels models;
-  models.source = fmt::format("{} (format {}{})", annotations.file.filename().string(), annotations.format,
-                              annotations.metric ? ", metric" : "");
+  models.source = fmt::format("{} (format {}{}{})", annotations.file.filename().string(), annotations.format,
+                              annotations.metric ? ", metric" : "",
+                              annotations.without_kept_apart ? ", without those of rooms" : "");
   for (const AnnotatedModel& annotated :
        ReadAnnotations(annotations.file, annotations.format, spec.category)) {
+    if (annotations.without_kept_apart && IsKeptApart(annotated.id)) continue;
     try {
       AddIfPlausible(spec, InMetres(spec, annotated.wireframe, annotations.metric), models);
     } catch (const InputError& error) {

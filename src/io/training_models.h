@@ -20,8 +20,9 @@ struct TrainingModels {
 
 struct AnnotatedFile {
   std::filesystem::path file;
-  std::string format = "edges";  // one of AnnotationFormats()
-  bool metric = false;           // in metres already
+  std::string format = "edges";     // one of AnnotationFormats()
+  bool metric = false;              // in metres already
+  bool without_kept_apart = false;  // leave out those that rooms are drawn from (category/kept_apart.h)
 };
 
 // Annotated models scaled by the category's metric reference, which gives all of them the same seat height or

@@ -40,6 +40,7 @@ done
 head -12 data/sample/edges_gt.csv >"$sample/sequence/edges_gt.csv"
 for image in data/sample/rgb/*; do : >"$sample/sequence/rgb/$(basename "$image")"; done
 grep -v '^ *#' data/sample/scene.yaml >"$sample/scene.yaml"
+grep -v '^ *#' "$configs/rooms/handheld.yaml" >"$sample/recipe.yaml"
 cp run/*.{csv,yaml,json,txt} "$sample/run"
 for table in associations observations timings; do head -20 "run/$table.csv" >"$sample/run/$table.csv"; done
 cp cad/*.csv "$sample/cad"

@@ -11,6 +11,7 @@
 #include "base/checksum.h"
 #include "base/text.h"
 #include "category/category_lookup.h"
+#include "datasets/rooms/recipe.h"
 #include "datasets/scene/scene_yaml.h"
 #include "eval/objects/paper_object_errors.h"
 #include "eval/report/reported_bench.h"
@@ -159,6 +160,7 @@ const std::vector<ReaderTarget>& ReaderTargets() {
       {"options", "options.yaml", ReadTheOptions},
       {"setting", "setting.txt", ReadTheSetting},
       {"matrix", "matrix.yaml", [](const fs::path& f) { ReadMatrix(f, {.fast = true}); }},
+      {"recipe", "recipe.yaml", [](const fs::path& f) { ReadRecipe(f); }},
       {"scene", "scene.yaml", [](const fs::path& f) { ReadScene(f, testing::BlockCollection()); }},
       {"config", "run/config.yaml", ReadConfig},
       {"summary", "run/summary.json", [](const fs::path& f) { IdentifyRun(f.parent_path()); }},

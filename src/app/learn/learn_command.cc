@@ -38,6 +38,9 @@ void CheckArguments(const LearnArguments& arguments) {
   if (!arguments.compare.file.empty() && !arguments.compare_family.empty()) {
     throw InputError("learn: give either --compare FILE or --compare-family NAME");
   }
+  if (arguments.annotations.without_kept_apart && arguments.annotations.file.empty()) {
+    throw InputError("learn: --without-held-out is about --annotations; of a family nothing is held out");
+  }
   if (arguments.out.empty() && arguments.held_out == 0 && !IsComparing(arguments)) {
     throw InputError("learn: nothing to do; give --out FILE, --held-out N or --compare FILE");
   }
@@ -96,6 +99,9 @@ void AddInput(CLI::App& learn, LearnArguments& a) {
   learn.add_flag("--metric", a.annotations.metric,
                  "the annotations are in metres: keep their sizes instead of scaling each model to the "
                  "category's reference");
+  learn.add_flag("--without-held-out", a.annotations.without_kept_apart,
+                 "leave out the annotated models that rooms are drawn from: every fifth, by its id "
+                 "(datasets/README.md)");
   KnownValues(*learn.add_option("--family", a.family, "learn from our own family instead")->type_name("NAME"),
               kFamilies);
   learn.add_option("--count", a.count, "models drawn from the family")->type_name("N")->capture_default_str();
