@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "app/run/jitter.h"
 #include "app/run/video_file.h"
 #include "base/console.h"
 #include "base/errors.h"
@@ -40,7 +41,7 @@ struct PreparedFrame {
   DetectedLines lines;
 };
 
-PreparedFrame Prepare(const Sequence& sequence, size_t index, FramePipeline& pipeline) {
+PreparedFrame Prepare(const Sequence& sequence, size_t index, FramePipeline& pipeline, int jitter) {
   PreparedFrame prepared;
   cv::Mat gray;
   {
@@ -50,15 +51,17 @@ PreparedFrame Prepare(const Sequence& sequence, size_t index, FramePipeline& pip
   }
   prepared.loaded = Clock::now();
   if (prepared.colour.image) prepared.lines = pipeline.DetectLines(gray, sequence.detections[index]);
+  if (jitter > 0) JitterSegments(static_cast<std::uint64_t>(jitter), index, prepared.lines.segments);
   return prepared;
 }
 
 // The frames one after the other, prepared as they are asked for or one ahead.
 class FrameSource {
  public:
-  FrameSource(const Sequence& sequence, size_t count, FramePipeline& pipeline, bool pipelined)
-      : prepare_([&](size_t index) { return Prepare(sequence, index, pipeline); }) {
-    if (pipelined) ahead_.emplace(count, prepare_);
+  FrameSource(const Sequence& sequence, size_t count, FramePipeline& pipeline,
+              const SequenceRunSettings& settings)
+      : prepare_([&](size_t index) { return Prepare(sequence, index, pipeline, settings.jitter); }) {
+    if (settings.pipelined) ahead_.emplace(count, prepare_);
   }
   PreparedFrame Frame(size_t index) { return ahead_ ? ahead_->Take() : prepare_(index); }
 
@@ -165,9 +168,21 @@ std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& wr
                     .solve_ms = maps->solve_ms};
 }
 
+// As the summary names it.
+std::string DetectionsFile(const Sequence& sequence) {
+  if (sequence.detections_file.empty()) return "";
+  return std::filesystem::absolute(sequence.detections_file).lexically_normal().string();
+}
+
 size_t FrameCount(const Sequence& sequence, int limit) {
   if (limit <= 0) return sequence.images.size();
   return std::min(sequence.images.size(), static_cast<size_t>(limit));
+}
+
+Sequence Jittered(Sequence sequence, int jitter) {
+  for (size_t i = 0; jitter > 0 && i < sequence.detections.size(); ++i)
+    JitterBoxes(static_cast<std::uint64_t>(jitter), i, sequence.camera, sequence.detections[i]);
+  return sequence;
 }
 
 // All frames, from the image to the result.
@@ -178,7 +193,7 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
   FramePace pace;
   Disbelief disbelief;
   const Clock::time_point start = Clock::now();
-  FrameSource frames(sequence, count, pipeline, settings.pipelined);
+  FrameSource frames(sequence, count, pipeline, settings);
   for (size_t i = 0; i < count; ++i) {
     ThrowIfInterrupted();
     PreparedFrame prepared = frames.Frame(i);
@@ -203,8 +218,9 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
 
 }  // namespace
 
-SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSettings& settings,
+SequenceRunResult RunSequence(const Sequence& given, const SequenceRunSettings& settings,
                               const std::filesystem::path& folder) {
+  const Sequence sequence = Jittered(given, settings.jitter);
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
   FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up,
@@ -218,6 +234,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   ThrowIfInterrupted();
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
+                 .detections = DetectionsFile(sequence),
+                 .jitter = settings.jitter,
                  .preset = settings.preset,
                  .threads = settings.pipelined ? 2 : 1,
                  .odometry = sequence.coverage,
