@@ -10,6 +10,7 @@
 #include "cli/configuration.h"
 #include "eval/objects/eval_objects.h"
 #include "eval/retrieval/eval_retrieval.h"
+#include "eval/rooms/eval_rooms.h"
 #include "eval/trajectories/eval_trajectories.h"
 #include "eval/views/eval_observations.h"
 
@@ -17,8 +18,11 @@ namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
 inline const std::vector<std::string> kTableNames{
-    "observations", "edges",     "trajectory",         "objects",    "each_object",    "normal",
-    "paper",        "retrieval", "retrieval_variants", "each_query", kLibraryTableName};
+    "observations",       "edges",      "trajectory",      "objects",
+    "each_object",        "normal",     "paper",           "retrieval",
+    "retrieval_variants", "each_query", kLibraryTableName, "rooms",
+    "room_differences",   "stability",  "worst_rooms",     "room_factors",
+    "room_groups"};
 
 struct EvalArguments {
   // Run folders or folders of such; or trajectory files alone; empty: of the library alone.
@@ -34,6 +38,7 @@ struct EvalArguments {
   TrajectoryArguments trajectories;
   ObjectArguments objects;
   RetrievalTableArguments retrieval;
+  RawRoomFiles raw_rooms{};              // of --out
   ConfigurationArguments configuration;  // its folder of category models
 };
 
