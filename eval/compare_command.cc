@@ -15,6 +15,7 @@
 #include "cli/help.h"
 #include "cli/printed_tables.h"
 #include "eval/eval_inputs.h"
+#include "eval/rooms/room_statistics.h"
 #include "eval/statistics/result_distance.h"
 #include "eval/statistics/run_values.h"
 #include "eval/trajectories/trajectory_alignment.h"
@@ -104,6 +105,54 @@ void CompareRun(const RunToEvaluate& a, const RunToEvaluate& b, const std::vecto
   add_raw(distances);
 }
 
+bool IsInRoom(const RunToEvaluate& run) {
+  return run.HasTruth("groundtruth.txt") && run.HasTruth("objects_gt.csv") && run.HasResult("objects.csv");
+}
+
+// The runs of rooms that both have, as two variants.
+struct RoomPairs {
+  std::vector<RunToEvaluate> a, b;
+};
+
+RoomPairs PairRuns(const RunsBySequence& runs_a, const RunsBySequence& runs_b) {
+  RoomPairs pairs;
+  for (const auto& [sequence, a] : runs_a) {
+    const auto b = runs_b.find(sequence);
+    if (b == runs_b.end() || !IsInRoom(a) || !IsInRoom(b->second)) continue;
+    pairs.a.push_back(a);
+    pairs.b.push_back(b->second);
+    pairs.b.back().truth = a.truth;
+  }
+  return pairs;
+}
+
+// What makes rooms of two results hard to pair, each line once.
+void WarnOfRooms(const RoomPairs& pairs, Comparison& comparison) {
+  std::map<std::string, size_t> counts;
+  for (size_t i = 0; i < pairs.a.size(); ++i) {
+    for (const ProvenanceRemark& remark : CompareRunProvenance(pairs.a[i].run, pairs.b[i].run))
+      if (remark.is_warning) ++counts[remark.text];
+  }
+  for (const auto& [text, count] : counts)
+    comparison.warnings.push_back(fmt::format("in {} of {} rooms: {}", count, pairs.a.size(), text));
+}
+
+RoomVariant EvaluateAs(const fs::path& name, const std::vector<RunToEvaluate>& runs,
+                       const std::vector<CategoryModel>& models, const ObjectEvaluationOptions& options) {
+  RoomVariant variant = EvaluateRooms(runs, models, options).front();
+  variant.name = name.string();
+  return variant;
+}
+
+void AddRoomTable(const fs::path& a, const fs::path& b, const RoomPairs& pairs,
+                  const std::vector<CategoryModel>& models, const ObjectEvaluationOptions& options,
+                  Comparison& comparison) {
+  comparison.tables.push_back(RoomDifferenceTable(
+      CompareVariants(EvaluateAs(a, pairs.a, models, options), EvaluateAs(b, pairs.b, models, options))));
+  comparison.tables.back().notes.push_back(
+      fmt::format("Cameras and objects are brought to the truth by '{}'.", AlignmentName(options.alignment)));
+}
+
 // Sequence by sequence that both have a run of. Throws InputError: no sequence in common, two runs of one in
 // A or B, the truth or models missing or malformed.
 Comparison CompareRuns(const fs::path& a, const fs::path& b, const CompareArguments& arguments) {
@@ -126,6 +175,42 @@ Comparison CompareRuns(const fs::path& a, const fs::path& b, const CompareArgume
     if (!runs_a.contains(sequence))
       comparison.warnings.push_back(fmt::format("{}: A has no run of it", sequence));
   }
+  if (const RoomPairs pairs = PairRuns(runs_a, runs_b); pairs.a.size() > 1)
+    AddRoomTable(a, b, pairs, models, options, comparison);
+  return comparison;
+}
+
+bool IsReproduction(const fs::path& folder) {
+  return SaysComplete(folder / "environment.json") && fs::is_directory(folder / "runs");
+}
+
+// Variants that both have, by name.
+std::vector<std::string> CommonVariants(const fs::path& a, const fs::path& b) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(a / "runs")) {
+    const std::string name = entry.path().filename().string();
+    if (fs::is_directory(b / "runs" / name)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// Over the rooms of two results of `armature reproduce`, variant by variant. Throws InputError: nothing in
+// common, as above.
+Comparison CompareReproductions(const fs::path& a, const fs::path& b, const CompareArguments& arguments) {
+  const ObjectEvaluationOptions options{.alignment = AlignmentFromName(arguments.alignment)};
+  const std::vector<CategoryModel> models = LoadModels(arguments.configuration);
+  Comparison comparison;
+  for (const std::string& variant : CommonVariants(a, b)) {
+    const fs::path of_a = a / "runs" / variant, of_b = b / "runs" / variant;
+    const RoomPairs pairs = PairRuns(CollectRuns(of_a, arguments), CollectRuns(of_b, arguments));
+    if (pairs.a.empty()) continue;
+    WarnOfRooms(pairs, comparison);
+    AddRoomTable(of_a, of_b, pairs, models, options, comparison);
+  }
+  if (comparison.tables.empty())
+    throw InputError(
+        fmt::format("{} and {} have no variant and sequence with a truth in common", a.string(), b.string()));
   return comparison;
 }
 
@@ -135,6 +220,12 @@ void CheckKinds(const std::vector<fs::path>& results) {
   const auto benches = std::count_if(results.begin(), results.end(), IsBench);
   if (benches != 0 && benches != static_cast<std::ptrdiff_t>(results.size()))
     throw InputError("compare: some are benchmarks and some are not; compare runs with runs");
+  const auto whole = std::count_if(results.begin(), results.end(), IsReproduction);
+  if (whole != 0 && whole != static_cast<std::ptrdiff_t>(results.size()))
+    throw InputError(
+        "compare: some are results of `armature reproduce` and some are not; give all of them, or folders in "
+        "their "
+        "runs/");
 }
 
 Comparison Compare(const CompareArguments& arguments, const CompareFolders& compare_benches) {
@@ -142,7 +233,9 @@ Comparison Compare(const CompareArguments& arguments, const CompareFolders& comp
   Comparison all;
   for (size_t i = 1; i < arguments.results.size(); ++i) {
     const fs::path& b = arguments.results[i];
-    Comparison one = IsBench(a) ? compare_benches(a, b) : CompareRuns(a, b, arguments);
+    Comparison one = IsBench(a)          ? compare_benches(a, b)
+                     : IsReproduction(a) ? CompareReproductions(a, b, arguments)
+                                         : CompareRuns(a, b, arguments);
     std::move(one.tables.begin(), one.tables.end(), std::back_inserter(all.tables));
     for (const std::string& warning : one.warnings) all.warnings.push_back(b.string() + ": " + warning);
     all.raw += one.raw;
@@ -156,13 +249,18 @@ CommandHelp CompareHelp() {
           "Puts results side by side with the first of them, A: errors and times are paired by frame, "
           "detection and object where the inputs agree, and the median difference is given with its 95 % "
           "interval and a mark where that leaves out zero. Warns where a pairing says little: other data, "
-          "another machine, other models. Runs without ground truth are compared with each other.",
+          "another machine, other models. Of several sequences in common, and of whole results of `armature "
+          "reproduce`, differences over rooms are told: mean over the sequences, 95 % interval by bootstrap "
+          "over "
+          "them. Runs without ground truth are compared with each other.",
       .files = {{"RAW", "with --raw: a row a pair"}},
       .exit_status = {},
       .examples = {
           {"two ways of running the same sequences, paired",
            "armature compare results/reproduce/runs/objects results/reproduce/runs/fast --categories "
            "results/reproduce/categories"},
+          {"the same variants before and after a change, over all rooms",
+           "armature compare results/before results/after --categories results/before/categories"},
           {"two benchmarks, as Markdown", "armature compare runs/bench_a runs/bench_b --format markdown"}}};
 }
 
@@ -187,8 +285,10 @@ void AddCompareCommand(CLI::App& app, const CompareFolders& compare_benches, int
   Describe(*compare, CompareHelp());
   BeginSection(*compare, "What is compared");
   compare
-      ->add_option("RESULT", a.results,
-                   "run folders or folders of run folders, or all folders of 'armature bench --out'")
+      ->add_option(
+          "RESULT", a.results,
+          "run folders or folders of run folders, or all results of 'armature reproduce', or all folders of "
+          "'armature bench --out'")
       ->type_name("DIR")
       ->required();
   compare

@@ -93,6 +93,15 @@ Evaluation RetrievalTables(const EvalArguments& arguments, const std::vector<Run
                                 arguments.retrieval);
 }
 
+Evaluation RoomTables(const EvalArguments& arguments, const std::vector<RunToEvaluate>& runs) {
+  const std::vector<std::string> names = Asked(kRoomTableNames, arguments);
+  if (names.empty()) return {};
+  ObjectArguments objects = arguments.objects;
+  objects.first_n = arguments.trajectories.first_n;
+  objects.tolerance = arguments.trajectories.tolerance;
+  return MakeRunRoomTables(runs, LoadModels(arguments.configuration), names, objects, arguments.raw_rooms);
+}
+
 Evaluation MakeFolderTables(const EvalArguments& arguments, TableFormat format) {
   const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
   Evaluation made = MakeRunTables(arguments, runs, format);
@@ -168,6 +177,8 @@ void KeepRawRows(const fs::path& folder, EvalArguments& a) {
   keep(a.observations.raw, "detections.csv");
   if (IsAsked("edges", a)) keep(a.observations.raw_edges, "edges.csv");  // else it would demand their truth
   keep(a.objects.raw, "objects.csv");
+  keep(a.raw_rooms.objects, "room_objects.csv");
+  keep(a.raw_rooms.rooms, "rooms.csv");
 }
 
 CommandHelp EvalHelp() {
@@ -176,9 +187,10 @@ CommandHelp EvalHelp() {
           "Compares finished runs with the ground truth of their sequences, which no other command reads, "
           "and prints tables: single views, matched edges, trajectories, objects of the map beside the "
           "paper's numbers and, with a library, retrieved CAD models. What each number is stands below its "
-          "table. Single trajectory files (TUM, KITTI, EuRoC) can be compared, too, and detections, without "
-          "any "
-          "run: of a sequence folder or, for it, of a file.",
+          "table. Over many sequences - rooms - the tables rooms, room_differences, room_factors and others "
+          "give each way of running (runs of one name) with intervals. Single trajectory files (TUM, KITTI, "
+          "EuRoC) can be compared, too, and detections, without any run: of a sequence folder or, for it, of "
+          "a file.",
       .files = {{"OUT/records.json", "all numbers by name (ate_rmse_m), for programs; see results/README.md"},
                 {"OUT/eval.json", "all tables and where they are from"},
                 {"OUT/tables.*", "the tables as txt, md, csv and tex"},
@@ -191,6 +203,9 @@ CommandHelp EvalHelp() {
           {"how well CAD models are retrieved, as Markdown",
            "armature eval results/reproduce/runs/objects --categories results/reproduce/categories --library "
            "results/reproduce/library.armlib --tables retrieval --format markdown"},
+          {"two ways of running, over all their sequences as rooms",
+           "armature eval results/reproduce/runs/objects results/reproduce/runs/fast --categories "
+           "results/reproduce/categories --tables rooms,room_differences,worst_rooms"},
           {"one trajectory, rigidly aligned",
            "armature eval results/reproduce/runs/objects/seq1/trajectory.txt --groundtruth "
            "datasets/generated/seq1/groundtruth.txt --alignment se3"},
@@ -211,6 +226,7 @@ Evaluation MakeRunTables(const EvalArguments& arguments, const std::vector<RunTo
   timed("tables of single views", [&] { return ObservationTables(arguments, runs); });
   timed("tables of trajectories", [&] { return TrajectoryTables(arguments, runs, format); });
   timed("tables of objects", [&] { return ObjectTables(arguments, runs); });
+  timed("tables over rooms", [&] { return RoomTables(arguments, runs); });
   timed("tables of retrieval", [&] { return RetrievalTables(arguments, runs); });
   return made;
 }

@@ -11,6 +11,7 @@
 #include "eval/detections/eval_detections.h"
 #include "eval/objects/eval_objects.h"
 #include "eval/retrieval/eval_retrieval.h"
+#include "eval/rooms/eval_rooms.h"
 #include "eval/trajectories/eval_trajectories.h"
 #include "eval/views/eval_observations.h"
 
@@ -18,8 +19,11 @@ namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
 inline const std::vector<std::string> kTableNames{
-    "observations", "edges",     "trajectory",         "objects",    "each_object",     "normal",
-    "paper",        "retrieval", "retrieval_variants", "each_query", kLibraryTableName, kDetectionTableName};
+    "observations",       "edges",      "trajectory",      "objects",
+    "each_object",        "normal",     "paper",           "retrieval",
+    "retrieval_variants", "each_query", kLibraryTableName, "rooms",
+    "room_differences",   "stability",  "worst_rooms",     "room_factors",
+    "room_groups",        kDetectionTableName};
 
 struct EvalArguments {
   // Run folders or folders of such; or trajectory files alone; or, for the table of detections, sequence
@@ -37,6 +41,7 @@ struct EvalArguments {
   TrajectoryArguments trajectories;
   ObjectArguments objects;
   RetrievalTableArguments retrieval;
+  RawRoomFiles raw_rooms{};              // of --out
   ConfigurationArguments configuration;  // its folder of category models
 };
 

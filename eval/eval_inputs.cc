@@ -94,8 +94,9 @@ std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders,
   std::vector<RunToEvaluate> runs;
   for (const fs::path& folder : folders) {
     for (const fs::path& run : RunsIn(folder)) {
-      runs.push_back({IdentifyRun(run), {}});
+      runs.push_back({.run = IdentifyRun(run), .truth = {}});
       runs.back().truth = FindTruth(runs.back().run, given);
+      if (run != folder) runs.back().within = folder;
     }
   }
   NameRuns(runs);

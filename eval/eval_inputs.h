@@ -13,8 +13,9 @@ namespace armature {
 
 struct RunToEvaluate {
   RunIdentity run;
-  std::filesystem::path truth;  // sequence folder with its ground truth
-  std::string name{};           // as shown; tells the runs of a sequence apart
+  std::filesystem::path truth;     // sequence folder with its ground truth
+  std::string name{};              // as shown; tells the runs of a sequence apart
+  std::filesystem::path within{};  // the folder given that it is in; empty: it was given itself
 
   // Whether the truth has the file of this name, and so for the run.
   bool HasTruth(const std::string& file) const;

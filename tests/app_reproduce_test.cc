@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -118,6 +119,69 @@ TEST_F(ReproduceSmallScene, MakesNothingTwice) {
   EXPECT_EQ(InResults("runs/objects/den/timings.csv"), before);
   EXPECT_EQ(json::parse(InResults("environment.json"))["jobs"], (json{{"reused", 3}}));
   EXPECT_EQ(json::parse(again.out)[0]["table"], "matrix");
+}
+
+// Two rooms with objects in their maps.
+class ReproduceTwoRooms : public ::testing::Test {
+ protected:
+  ReproduceTwoRooms() {
+    for (const char* name : {"den", "lair"}) {
+      std::string scene = std::regex_replace(testing::kSmallScene, std::regex("frames: 4"), "frames: 12");
+      scene = std::regex_replace(scene, std::regex("name: den"), std::string("name: ") + name);
+      const std::string file = folder_.Write(std::string(name) + ".yaml", scene);
+      testing::RunOk({"generate", "--scene", file, "--without-cad", "--out", folder_ / "out"});
+    }
+  }
+  ProgramResult Reproduce(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"reproduce",        folder_ / "out/den", folder_ / "out/lair",
+                                       "--variants",       "default,fast",      "--out",
+                                       folder_ / "results"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments);
+  }
+
+  const testing::StartedAnew anew_;
+  TempFolder folder_;
+};
+
+TEST_F(ReproduceTwoRooms, ComparesVariantsOverRoomsAndTellsWhatRepeatsScatterBy) {
+  const ProgramResult result = Reproduce({"--name", "one", "--jitter", "1", "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  std::map<std::string, json> tables;
+  for (const json& table : json::parse(result.out)) tables[table["table"]] = table["rows"];
+  ASSERT_EQ(tables["rooms"].size(), 2u);
+  EXPECT_EQ(tables["rooms"][0]["variant"], "default");
+  EXPECT_EQ(tables["rooms"][0]["rooms"], 2) << "without the repeats";
+  EXPECT_EQ(tables["rooms"][0]["found [%]"], "100 [100, 100]");
+  EXPECT_EQ(tables["room_differences"][0]["B is"], "too few");
+  EXPECT_EQ(tables["stability"][0]["runs a room"], 2);
+  EXPECT_EQ(tables["worst_rooms"].size(), 2u);
+  const std::string raw = ReadFile(folder_ / "results/one/evaluation/rooms/room_objects.csv");
+  EXPECT_EQ(std::count(raw.begin(), raw.end(), '\n'), 1 + 2 * 2 * 2 * 2)
+      << "rooms, objects, variants, repeats";
+  EXPECT_NE(ReadFile(folder_ / "results/one/report.html").find("quartiles"), std::string::npos);
+
+  fs::copy(folder_ / "results/one", folder_ / "results/two", fs::copy_options::recursive);
+  const json compared = json::parse(
+      testing::RunOk({"compare", folder_ / "results/one", folder_ / "results/two", "--json"}).out);
+  ASSERT_EQ(compared.size(), 2u) << "a variant each";
+  for (const json& row : compared[0]["rows"]) EXPECT_EQ(row["B - A"], 0) << row;
+  ExpectBadInput({"compare", folder_ / "results/one", folder_ / "results/one/runs/fast"},
+                 {"armature reproduce", "runs/"});
+}
+
+TEST_F(ReproduceSmallScene, RoomArgumentsThatDoNotFitAreRefused) {
+  const std::string recipe = folder_.Write("recipe.yaml", "name: mixed\n");
+  const std::vector<std::string> call{"reproduce", "--config", config_, "--out", folder_ / "results"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), call.begin(), call.end());
+    return more;
+  };
+  ExpectBadInput(with({"--count", "3"}), {"--count", "--rooms"});
+  ExpectBadInput(with({"--rooms", recipe, folder_ / "out/den"}), {"--rooms", "exclude"});
+  ExpectBadInput(with({"--rooms", folder_ / "absent.yaml"}), {"absent.yaml"});
+  ExpectBadInput(with({"--rooms", recipe, "--split", "chekc"}), {"--split", "check"});
+  ExpectBadInput(with({"--rooms", recipe, "--variants", "no_flor"}), {"--variants", "no_floor"});
 }
 
 TEST_F(ReproduceSmallScene, BadInputIsOneLineAndHarmsNothing) {

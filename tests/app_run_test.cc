@@ -232,6 +232,61 @@ TEST(AppRun, RunsWithoutOdometryAndDetections) {
   EXPECT_EQ(CsvTable(folder / "run/timings.csv", {"timestamp"}).rows().size(), 2u);
 }
 
+TEST(AppRun, TakesOtherDetectionsThatTheEvaluationKnowsNoTruthOf) {
+  const TempFolder folder;
+  CopySmallScene(folder, 4);
+  const std::string sequence = folder / "out/den";
+  std::string other = testing::kTinyDetectionsHeader;
+  other += "0.0,table,40,40,60,50,0.9,,,\n";
+  const std::string file = folder.Write("network/den.csv", other);
+  for (const std::string& given : {file, folder / "network"}) {
+    RunOk({"run", sequence, "--out", folder / "run", "--detections", given});
+    EXPECT_EQ(CsvTable(folder / "run/observations.csv", {"timestamp"}).rows().size(), 1u);
+    const auto summary = nlohmann::json::parse(ReadFile(folder / "run/summary.json"));
+    EXPECT_EQ(summary["detections"], std::filesystem::weakly_canonical(file).string());
+  }
+  const auto tables = nlohmann::json::parse(
+      RunOk({"eval", folder / "run", "--tables", "observations,objects", "--json"}).out);
+  for (const auto& row : tables[0]["rows"]) EXPECT_NE(row.dump().find("0"), std::string::npos);
+  const auto& all = tables.back()["rows"].back();
+  EXPECT_EQ(all["observed"], 2) << "none is excused: " << all;
+}
+
+TEST(AppRun, OtherDetectionsThatCannotBeReadAreBadInput) {
+  const TempFolder folder;
+  WriteTinySequence(folder);
+  const std::vector<std::string> call{"run", folder.path(), "--out", folder / "run", "--detections"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = call;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  testing::ExpectBadInput(with({folder / "absent.csv"}), {"absent.csv"});
+  std::filesystem::create_directories(folder / "empty");
+  testing::ExpectBadInput(with({folder / "empty"}), {"empty/tiny.csv"});
+  const std::string late =
+      folder.Write("late.csv", std::string(testing::kTinyDetectionsHeader) + "9.0,chair,5,6,20,30,0.9,,,\n");
+  testing::ExpectBadInput(with({late}), {"late.csv:2"});
+  testing::ExpectBadInput(with({late, folder.path()}), {"late.csv", "2 sequences", "<sequence name>.csv"});
+  EXPECT_FALSE(std::filesystem::exists(folder / "run"));
+}
+
+TEST(AppRun, JitterChangesResultsALittleAndTheSameSeedInTheSameWay) {
+  const TempFolder folder;
+  CopySmallScene(folder, 4);
+  const auto observations = [&](const std::string& seed) {
+    RunOk({"run", folder / "out/den", "--out", folder / "run", "--jitter", seed});
+    return ReadFile(folder / "run/observations.csv");
+  };
+  const std::string none = observations("0"), one = observations("1");
+  EXPECT_EQ(nlohmann::json::parse(ReadFile(folder / "run/summary.json"))["jitter"], 1);
+  EXPECT_NE(one, none);
+  EXPECT_NE(one, observations("2"));
+  EXPECT_EQ(one, observations("1"));
+  testing::ExpectBadInput({"run", folder / "out/den", "--out", folder / "run", "--jitter", "-1"},
+                          {"--jitter"});
+}
+
 TEST(AppRun, TheConfigurationOfARunRepeatsIt) {
   const TempFolder folder;
   WriteTinySequence(folder);

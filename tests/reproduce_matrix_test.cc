@@ -195,5 +195,85 @@ TEST_F(ReproduceMatrix, BadInputNamesFileLineAndKey) {
   ExpectInputError([&] { ReadMatrix(folder_ / "absent.yaml", {}); }, {"absent.yaml"});
 }
 
+class ReproduceRooms : public ReproduceMatrix {
+ protected:
+  ReproduceRooms() { folder_.Write("mixed.yaml", "name: mixed\n"); }
+
+  Matrix ReadRooms(const std::string& rooms, const std::string& more = "") const {
+    return Read("data: d\nvariants: [{name: x}]\nrooms: {" + rooms + "}\n" + more);
+  }
+  void ExpectRefused(const std::string& rooms, const std::vector<std::string>& words) const {
+    ExpectInputError([&] { ReadRooms(rooms); }, words);
+  }
+};
+
+TEST_F(ReproduceRooms, AreSequencesByNumber) {
+  const Matrix matrix = ReadRooms("recipe: mixed.yaml, count: 3, split: check");
+  const std::vector<MatrixSequence> rooms = ListSequences(matrix);
+  ASSERT_EQ(rooms.size(), 3u);
+  EXPECT_EQ(rooms[2].name, "mixed-check-002");
+  EXPECT_EQ(rooms[2].family, "mixed");
+  EXPECT_EQ(rooms[2].folder.filename(), "mixed-check-002");
+  EXPECT_EQ(rooms[2].folder.parent_path().filename(), "rooms");
+  EXPECT_EQ(NameRoom({.name = "mixed", .split = "5"}, 1234), "mixed-5-1234");
+}
+
+TEST_F(ReproduceRooms, TheEffectiveOneIsReadAsTheSame) {
+  for (const std::string which : {"split: check", "seed: 9"}) {
+    const Matrix matrix =
+        ReadRooms("recipe: mixed.yaml, count: 3, collections: [cad], " + which, "jitter: 2\n");
+    EXPECT_EQ(matrix.jitter, 2);
+    EXPECT_EQ(MatrixYaml(Read(MatrixYaml(matrix))), MatrixYaml(matrix));
+    EXPECT_EQ(Read(MatrixYaml(matrix)).rooms->split, matrix.rooms->split);
+  }
+}
+
+TEST_F(ReproduceRooms, BadInputNamesFileLineAndKey) {
+  ExpectRefused("recipe: absent.yaml", {"absent.yaml"});
+  ExpectRefused("recipe: mixed.yaml, count: 0", {"matrix.yaml:3", "count"});
+  ExpectRefused("recipe: mixed.yaml, split: chekc", {"matrix.yaml:3", "split", "check"});
+  ExpectRefused("recipe: mixed.yaml, split: check, seed: 3", {"matrix.yaml:3", "seed", "split"});
+  ExpectRefused("recipe: mixed.yaml, seed: -1", {"matrix.yaml:3", "seed"});
+  ExpectRefused("recipe: mixed.yaml, rooms: 3", {"matrix.yaml:3", "rooms"});
+  folder_.Write("mixed.yaml", "name: a/b\n");
+  ExpectRefused("recipe: mixed.yaml", {"mixed.yaml:1", "name"});
+  folder_.Write("mixed.yaml", "about: nothing\n");
+  ExpectRefused("recipe: mixed.yaml", {"mixed.yaml", "name"});
+  ExpectInputError([&] { Read("data: d\nscenes: [a]\njitter: -1\nvariants: [{name: x}]\n"); },
+                   {"matrix.yaml:3", "jitter"});
+}
+
+TEST_F(ReproduceRooms, TakeThePlaceOfAllSequencesAndTimings) {
+  Matrix matrix = Read(kSmall);
+  ReplaceByRooms({.name = "mixed", .count = 1}, matrix);
+  EXPECT_EQ(FamilyNames(matrix), Names{"mixed"});
+  EXPECT_TRUE(matrix.timings.empty());
+  EXPECT_TRUE(matrix.retrieval.empty());
+}
+
+TEST_F(ReproduceMatrix, VariantsByNameAreItsOwnPresetsAndAblations) {
+  const std::filesystem::path configs = std::filesystem::path(ARMATURE_SOURCE_DIR) / "configs";
+  Matrix matrix = Read(kSmall);
+  SelectVariants({"no_floor", "objects", "fast"}, configs, matrix);
+  EXPECT_EQ(NamesOfVariants(matrix), (Names{"no_floor", "objects", "fast"}));
+  EXPECT_EQ(matrix.variants[0].config, configs / "ablations/no_floor.yaml");
+  EXPECT_EQ(matrix.variants[1].about, "with objects");
+  EXPECT_EQ(matrix.variants[2].preset, "fast");
+  EXPECT_EQ(matrix.retrieval, Names{"objects"});
+  ExpectInputError([&] { SelectVariants({"no_flor"}, configs, matrix); }, {"--variants", "no_floor"});
+  ExpectInputError([&] { SelectVariants({"fast", "fast"}, configs, matrix); }, {"--variants", "twice"});
+  Matrix small = Read(kSmall);
+  ExpectInputError([&] { SelectVariants({"odometry"}, configs, small); }, {"odometry", "objects"});
+}
+
+TEST_F(ReproduceMatrix, DetectionsOfAVariantAreAFolderBesideTheFile) {
+  std::filesystem::create_directories(folder_ / "network");
+  const Matrix matrix = ReadWith("preset: paper}", "detections: network}");
+  EXPECT_EQ(matrix.variants[1].detections, folder_ / "network");
+  EXPECT_EQ(MatrixYaml(Read(MatrixYaml(matrix))), MatrixYaml(matrix));
+  ExpectInputError([&] { ReadWith("preset: paper}", "detections: absent}"); },
+                   {"matrix.yaml:6", "detections"});
+}
+
 }  // namespace
 }  // namespace armature

@@ -114,8 +114,8 @@ TEST(ReproducePlan, WhatFailedIsNotEvaluatedNorReported) {
   ASSERT_EQ(jobs.size(), 3u);
   EXPECT_EQ(CallOf(jobs[0]), "armature eval runs/objects --out evaluation/accuracy --categories categories");
   EXPECT_EQ(jobs[2].name, "evaluation/library");
-  const Job report =
-      PlanReport(matrix, kFolders, {Done("runs/objects/seq1"), Done("evaluation/accuracy")}, {"m.json"});
+  const Job report = PlanReport(matrix, kFolders, {Done("runs/objects/seq1"), Done("evaluation/accuracy")},
+                                {.tables = {"m.json"}});
   EXPECT_EQ(
       CallOf(report),
       "armature report runs/objects --eval evaluation/accuracy --table m.json --title 'Armature: reproduce' "
@@ -124,6 +124,68 @@ TEST(ReproducePlan, WhatFailedIsNotEvaluatedNorReported) {
 
 TEST(ReproducePlan, WithoutAnyTruthThereIsNothingToEvaluate) {
   EXPECT_TRUE(PlanEvaluation(PlannedMatrix(), kFolders, {Done("runs/objects/seq1")}).empty());
+}
+
+Matrix RoomMatrix() {
+  Matrix matrix;
+  matrix.data = "/data";
+  matrix.rooms =
+      RoomSet{.recipe = "/c/rooms/mixed.yaml", .name = "mixed", .count = 2, .collections = {"/cad"}};
+  matrix.variants = {{.name = "default"}, {.name = "fast", .preset = "fast", .detections = "/network"}};
+  matrix.jitter = 1;
+  return matrix;
+}
+
+TEST(ReproducePlan, RoomsAreMadeOneByOneAndThenRun) {
+  const std::vector<Job> jobs = PlanRuns(RoomMatrix(), kFolders);
+  ASSERT_EQ(jobs.size(), 2u + 2 * 2 * 2);
+  const Job& room = Named("rooms/mixed-development-001", jobs);
+  EXPECT_EQ(
+      CallOf(room),
+      "armature generate --rooms ../../c/rooms/mixed.yaml --count 1 --first 1 --split development --out "
+      "../../data/rooms --collection ../../cad");
+  EXPECT_TRUE(room.always) << "generate looks for itself what is there";
+  const Job& run = Named("runs/fast/mixed-development-001", jobs);
+  EXPECT_EQ(CallOf(run),
+            "armature run ../../data/rooms/mixed-development-001 --out runs/fast/mixed-development-001 "
+            "--preset fast "
+            "--detections ../../network/mixed-development-001.csv");
+  EXPECT_EQ(run.after, std::vector<std::string>{"rooms/mixed-development-001"});
+}
+
+TEST(ReproducePlan, RoomsOfASeedAreCalledByIt) {
+  Matrix matrix = RoomMatrix();
+  matrix.rooms->split = "17";
+  EXPECT_NE(CallOf(Named("rooms/mixed-17-000", PlanRuns(matrix, kFolders))).find("--first 0 --seed 17"),
+            std::string::npos);
+}
+
+TEST(ReproducePlan, RepeatsAreRunsOfTheirOwn) {
+  const Job repeat = Named("jitter/default-1/mixed-development-000", PlanRuns(RoomMatrix(), kFolders));
+  EXPECT_EQ(
+      CallOf(repeat),
+      "armature run ../../data/rooms/mixed-development-000 --out jitter/default-1/mixed-development-000 "
+      "--preset default --jitter 1");
+}
+
+TEST(ReproducePlan, RoomsAreEvaluatedOverAllOfThem) {
+  const testing::TempFolder folder;
+  Matrix matrix = RoomMatrix();
+  matrix.data = folder.path();
+  folder.Write("rooms/mixed-development-000/groundtruth.txt", "");
+  const std::vector<Job> jobs = PlanEvaluation(
+      matrix, kFolders,
+      {Done("runs/default/mixed-development-000"), Done("jitter/default-1/mixed-development-000")});
+  ASSERT_EQ(jobs.size(), 1u) << "not a table a room";
+  EXPECT_EQ(jobs[0].name, kRoomsJob);
+  EXPECT_NE(CallOf(jobs[0]).find("eval runs/default jitter/default-1 --tables rooms,"), std::string::npos)
+      << CallOf(jobs[0]);
+  const Job report =
+      PlanReport(matrix, kFolders, {Done("runs/default/mixed-development-000"), Done(kRoomsJob)},
+                 {.runs = {"runs/default/mixed-development-000"}});
+  EXPECT_NE(CallOf(report).find("report runs/default/mixed-development-000 --eval evaluation/rooms"),
+            std::string::npos)
+      << CallOf(report);
 }
 
 }  // namespace

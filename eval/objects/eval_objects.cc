@@ -33,12 +33,6 @@ struct EvaluatedSequence {
   }
 };
 
-ObjectEvaluationOptions MakeOptions(const ObjectArguments& arguments) {
-  if (!(arguments.gate_m > 0))
-    throw InputError(fmt::format("--gate {:g}: give metres, more than 0", arguments.gate_m));
-  return {AlignmentFromName(arguments.alignment), arguments.first_n, arguments.tolerance, arguments.gate_m};
-}
-
 EvaluatedSequence EvaluateSequence(const std::vector<RunToEvaluate>& runs,
                                    const std::vector<CategoryModel>& models,
                                    const ObjectEvaluationOptions& options) {
@@ -85,6 +79,12 @@ void WriteRawObjects(const fs::path& file, const std::vector<SequenceObjects>& s
 
 }  // namespace
 
+ObjectEvaluationOptions MakeObjectOptions(const ObjectArguments& arguments) {
+  if (!(arguments.gate_m > 0))
+    throw InputError(fmt::format("--gate {:g}: give metres, more than 0", arguments.gate_m));
+  return {AlignmentFromName(arguments.alignment), arguments.first_n, arguments.tolerance, arguments.gate_m};
+}
+
 void AddObjectArguments(CLI::App& command, ObjectArguments& a) {
   BeginSection(command, "Objects");
   OfferValues(*command
@@ -115,7 +115,7 @@ Evaluation MakeRunObjectTables(const std::vector<RunToEvaluate>& runs,
   Evaluation made;
   std::vector<SequenceObjects> all;
   for (const auto& [objects, observations] :
-       EvaluateSequences(runs, models, MakeOptions(arguments), is_asked)) {
+       EvaluateSequences(runs, models, MakeObjectOptions(arguments), is_asked)) {
     if (has("objects")) made.tables.push_back(ObjectSummaryTable(objects));
     if (has("each_object")) made.tables.push_back(EachObjectTable(objects));
     if (has("normal")) made.tables.push_back(NormalTermTable(objects, observations));

@@ -10,6 +10,7 @@
 #include "category/category_model.h"
 #include "eval/eval_inputs.h"
 #include "eval/evaluation.h"
+#include "eval/objects/run_objects.h"
 
 namespace armature {
 
@@ -25,6 +26,9 @@ struct ObjectArguments {
 
 // The kinds of tables of objects, in the order in which they are printed.
 inline const std::vector<std::string> kObjectTableNames{"objects", "each_object", "normal", "paper"};
+
+// With the numbers checked. Throws InputError.
+ObjectEvaluationOptions MakeObjectOptions(const ObjectArguments& arguments);
 
 // --first-n and --tolerance are the trajectories'.
 void AddObjectArguments(CLI::App& command, ObjectArguments& arguments);

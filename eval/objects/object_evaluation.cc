@@ -100,10 +100,12 @@ std::vector<EvaluatedObject> EvaluateObjects(const std::vector<PlacedObject>& ma
                                              const std::vector<CategorySpec>& specs,
                                              const ObjectPairs& pairs) {
   const std::set<size_t> observed = ObservedObjects(truth);
+  // Without knowing which were detected, none is excused.
+  const auto is_observed = [&](size_t i) { return !truth.knows_detections || observed.contains(i); };
   std::vector<EvaluatedObject> evaluated;
   for (size_t i = 0; i < truth.objects.size(); ++i) {
     const TrueObject& object = truth.objects[i];
-    const ObjectStatus status = observed.contains(i) ? ObjectStatus::kMissed : ObjectStatus::kNeverObserved;
+    const ObjectStatus status = is_observed(i) ? ObjectStatus::kMissed : ObjectStatus::kNeverObserved;
     evaluated.push_back({status, object.category, object.id, "", 0, std::nullopt});
   }
   std::vector<bool> is_matched(map.size(), false);

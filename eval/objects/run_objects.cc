@@ -28,7 +28,7 @@ Similarity AlignTrajectory(const fs::path& trajectory, const SequenceTruth& sequ
 EvaluatedMap EvaluateMap(const RunResults& run, const SequenceTruth& sequence,
                          const std::vector<CategorySpec>& specs, const ObjectEvaluationOptions& options,
                          bool by_odometry) {
-  const GroundTruth& truth = sequence.truth;
+  const GroundTruth truth = TruthOfRun(sequence.truth, run);
   EvaluatedMap evaluated;
   std::vector<PlacedObject> map =
       ReadPlacedObjects(run.folder / (by_odometry ? "objects_odometry.csv" : "objects.csv"));

@@ -121,6 +121,7 @@ struct ReportData {
   std::vector<HeadlineFigure> headline;
   std::vector<ReportTable> tables;
   std::vector<ReportPlot> stages, curves;  // median times as stacked bars, and against something that grows
+  std::vector<ReportPlot> distributions;   // of errors over rooms
   std::vector<ReportPlot> ablations;       // what the normal term does
   std::vector<TopDownMap> maps;
   std::vector<OverlayFrame> overlays;

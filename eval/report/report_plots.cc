@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "drawing/plots/strips.h"
 
 namespace armature {
 namespace {
@@ -55,6 +56,28 @@ bool HasPoints(const Plot& plot) {
   return std::any_of(plot.series.begin(), plot.series.end(), [](const auto& s) { return !s.y.empty(); });
 }
 
+Strips MakeErrorStrips(const std::vector<RoomErrorsRecord>& records) {
+  Strips strips{.title = "", .label = "distance of the centre, metres", .strips = {}};
+  for (const RoomErrorsRecord& record : records) {
+    const std::string name =
+        fmt::format("{}: {} found, {} missed", record.run, record.object_errors_m.size(), record.missed);
+    strips.strips.push_back({name, record.object_errors_m});
+  }
+  return strips;
+}
+
+bool HasValues(const Strips& strips) {
+  return std::any_of(strips.strips.begin(), strips.strips.end(), [](const Strips::Strip& strip) {
+    return std::any_of(strip.values.begin(), strip.values.end(), [](double value) { return value > 0; });
+  });
+}
+
+std::vector<std::string> ListNames(const Strips& strips) {
+  std::vector<std::string> names;
+  for (const Strips::Strip& strip : strips.strips) names.push_back(strip.name);
+  return names;
+}
+
 }  // namespace
 
 std::vector<ReportPlot> DrawStageBars(const std::vector<StageBars>& all, size_t objects,
@@ -78,6 +101,16 @@ std::vector<ReportPlot> DrawTimeCurves(const std::vector<TimeCurves>& all,
     for (const PlotSeries& series : curves.plot.series) names.push_back(series.name);
     return ReportPlot{curves.sequence, axes + ": medians, from the 10th to the 90th percentile",
                       DrawPicture(curves.plot, axes, names)};
+  });
+}
+
+std::vector<ReportPlot> DrawRoomErrors(const std::vector<RoomErrorsRecord>& records,
+                                       std::vector<std::string>& remarks) {
+  std::vector<Strips> shown{MakeErrorStrips(records)};
+  std::erase_if(shown, [](const Strips& strips) { return !HasValues(strips); });
+  return DrawAll(shown, remarks, [](const Strips& strips) {
+    const std::string caption = "Errors of the found objects of all rooms; boxes: quartiles, lines: medians";
+    return ReportPlot{"", caption, DrawPicture(strips, caption, ListNames(strips))};
   });
 }
 

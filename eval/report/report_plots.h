@@ -8,6 +8,7 @@
 #include "eval/report/ablation_bars.h"
 #include "eval/report/report_data.h"
 #include "eval/report/reported_bench.h"
+#include "io/evaluation_records.h"
 
 namespace armature {
 
@@ -18,6 +19,9 @@ namespace armature {
 std::vector<ReportPlot> DrawStageBars(const std::vector<StageBars>& all, size_t objects,
                                       std::vector<std::string>& remarks);
 std::vector<ReportPlot> DrawTimeCurves(const std::vector<TimeCurves>& all, std::vector<std::string>& remarks);
+// A strip a run's name, of the errors of its objects over all rooms.
+std::vector<ReportPlot> DrawRoomErrors(const std::vector<RoomErrorsRecord>& records,
+                                       std::vector<std::string>& remarks);
 std::vector<ReportPlot> DrawAblationBars(const std::vector<AblationBars>& all,
                                          std::vector<std::string>& remarks);
 

@@ -161,6 +161,10 @@ std::string TimingHtml(const ReportData& data) {
   return PlotsHtml(data.stages) + PlotsHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
 }
 
+std::string AccuracyHtml(const ReportData& data) {
+  return PlotsHtml(data.distributions) + TablesHtml(data, ReportSection::kAccuracy);
+}
+
 std::string AblationHtml(const ReportData& data) {
   return PlotsHtml(data.ablations) + TablesHtml(data, ReportSection::kAblation);
 }
@@ -188,7 +192,7 @@ std::vector<PageSection> ReportSections(const ReportData& data) {
       {"maps", "Maps from above", MapsHtml(data)},
       {"scenes", "The map in 3D", ScenesHtml(data)},
       {"overlays", "Associated edges", data.overlays.empty() ? "" : OverlaysHtml(data.overlays)},
-      {"accuracy", "Accuracy", TablesHtml(data, ReportSection::kAccuracy)},
+      {"accuracy", "Accuracy", AccuracyHtml(data)},
       {"timing", "Timing", TimingHtml(data)},
       {"retrieval", "Retrieved CAD models", RetrievalHtml(data)},
       {"ablation", "Normal term", AblationHtml(data)},

@@ -34,7 +34,8 @@ ReportSection FindSection(const std::string& table) {
     if (table == name) return ReportSection::kRetrieval;
   }
   for (const char* name :
-       {"paper", "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
+       {"rooms", "room_differences", "stability", "worst_rooms", "room_factors", "room_groups", "paper",
+        "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
     if (table == name) return ReportSection::kAccuracy;
   }
   return ReportSection::kFurther;
@@ -42,7 +43,9 @@ ReportSection FindSection(const std::string& table) {
 
 // What is looked for first comes first, whatever the order in which it was evaluated.
 std::vector<Table> ByImportance(std::vector<Table> tables) {
-  constexpr std::array kFirst{"paper", "objects", "trajectory", "observations", "edges"};
+  constexpr std::array kFirst{"rooms",        "room_differences", "stability", "worst_rooms",
+                              "room_factors", "room_groups",      "paper",     "objects",
+                              "trajectory",   "observations",     "edges"};
   const auto place = [&](const Table& table) { return std::find(kFirst.begin(), kFirst.end(), table.name); };
   std::stable_sort(tables.begin(), tables.end(),
                    [&](const Table& a, const Table& b) { return place(a) < place(b); });
@@ -56,6 +59,7 @@ void AddTables(const ReportSources& sources, ReportData& data) {
     data.tables.push_back({section, std::move(table)});
   }
   AddAll(LocalizationFigures(sources.records), data.headline);
+  data.distributions = DrawRoomErrors(sources.records.room_errors, data.remarks);
   data.ablations = DrawAblationBars(NormalTermBars(sources.records.uprightness), data.remarks);
 }
 

@@ -23,14 +23,15 @@ std::optional<SequenceTruth> TruthAt(const fs::path& folder, const std::vector<C
 }
 
 // Whatever is wrong with them, the rest of the report can do without.
-std::optional<Sequence> ImagesAt(const fs::path& folder, const std::vector<CategorySpec>& specs,
-                                 const std::string& name, std::vector<std::string>& remarks) {
+std::optional<Sequence> ImagesAt(const fs::path& folder, const RunResults& run,
+                                 const std::vector<CategorySpec>& specs, std::vector<std::string>& remarks) {
   std::vector<std::string> categories;
   for (const CategorySpec& spec : specs) categories.push_back(spec.name);
   try {
-    return LoadSequence(folder, categories);
+    return LoadSequence(folder, categories, {}, run.detections);
   } catch (const InputError& error) {
-    remarks.push_back(fmt::format("{}: no overlays and no crops of its images: {}", name, error.what()));
+    remarks.push_back(
+        fmt::format("{}: no overlays and no crops of its images: {}", run.sequence, error.what()));
     return std::nullopt;
   }
 }
@@ -101,15 +102,15 @@ Eigen::Vector3d FindUp(const SequenceRuns& sequence) {
   return sum.norm() > 0 ? sum.normalized() : Eigen::Vector3d(0, -1, 0);
 }
 
-SequenceRuns StartSequence(const std::string& name, const fs::path& folder,
+SequenceRuns StartSequence(const RunResults& run, const fs::path& folder,
                            const std::vector<CategorySpec>& specs, std::vector<std::string>& remarks) {
   SequenceRuns sequence;
-  sequence.name = name;
+  sequence.name = run.sequence;
   sequence.truth = TruthAt(folder, specs);
   if (!sequence.truth)
     remarks.push_back(
-        fmt::format("{}: has no ground truth of cameras and objects: no errors are shown", name));
-  sequence.images = ImagesAt(folder, specs, name, remarks);
+        fmt::format("{}: has no ground truth of cameras and objects: no errors are shown", run.sequence));
+  sequence.images = ImagesAt(folder, run, specs, remarks);
   return sequence;
 }
 
@@ -125,7 +126,7 @@ std::vector<SequenceRuns> LoadSequenceRuns(const ReportSources& sources, std::ve
     auto found = std::find_if(sequences.begin(), sequences.end(),
                               [&](const SequenceRuns& sequence) { return sequence.name == name; });
     if (found == sequences.end())
-      found = sequences.insert(found, StartSequence(name, source.sequence, specs, remarks));
+      found = sequences.insert(found, StartSequence(run.results, source.sequence, specs, remarks));
     if (found->truth) BringToTruth(*found->truth, specs, run);
     found->runs.push_back(std::move(run));
   }

@@ -48,7 +48,7 @@ std::vector<RetrievalQuery> MakeRunQuery(const RunToEvaluate& run, const Sequenc
   const fs::path& folder = run.run.folder;
   const RunResults results = LoadRun(folder);
   const Map map = ReadRunMap(results, models);
-  const GroundTruth truth = LoadGroundTruth(run.truth);
+  const GroundTruth truth = TruthOfRun(LoadGroundTruth(run.truth), results);
   const ObjectPairs pairs = PairsBySight(map, results, truth);
   const ViewsOfCameras views =
       MakeViews(map, PickCameras(map, pairs, most_views), sequence, models, ReadRunOptions(folder));
@@ -62,7 +62,7 @@ std::vector<RetrievalQuery> MakeRunQueries(const std::vector<RunToEvaluate>& run
   for (const RunToEvaluate& run : runs) CheckHasShapes(run);
   std::vector<RetrievalQuery> all;
   for (const RunToEvaluate& run : runs) {
-    sequences.push_back(LoadSequence(run.truth, CategoryNames(models)));
+    sequences.push_back(LoadSequence(run.truth, CategoryNames(models), {}, run.run.detections));
     for (RetrievalQuery& query : MakeRunQuery(run, sequences.back(), models, RetrievalOptions().views)) {
       query.run = run.name;
       query.sequence = run.run.sequence;

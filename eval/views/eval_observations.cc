@@ -39,12 +39,12 @@ std::map<std::string, std::vector<NamedEvaluation>> EvaluateAll(const std::vecto
   const CadLibrary cad = cad_folder.empty() ? CadLibrary() : CadLibrary(cad_folder, specs);
   std::map<std::string, SequenceTruth> truths;
   std::map<std::string, std::vector<NamedEvaluation>> evaluations;
-  for (const auto& [identity, truth_folder, name] : runs) {
-    const RunResults run = LoadRun(identity.folder);
-    if (!truths.contains(run.sequence)) truths[run.sequence] = LoadSequenceTruth(truth_folder, specs);
+  for (const RunToEvaluate& to_evaluate : runs) {
+    const RunResults run = LoadRun(to_evaluate.run.folder);
+    if (!truths.contains(run.sequence)) truths[run.sequence] = LoadSequenceTruth(to_evaluate.truth, specs);
     const SequenceTruth& truth = truths[run.sequence];
-    if (need_edges && cad_folder.empty()) CheckHasEdges(truth_folder, truth);
-    evaluations[run.sequence].push_back({name, EvaluateRun(run, truth, models, cad)});
+    if (need_edges && cad_folder.empty()) CheckHasEdges(to_evaluate.truth, truth);
+    evaluations[run.sequence].push_back({to_evaluate.name, EvaluateRun(run, truth, models, cad)});
   }
   return evaluations;
 }

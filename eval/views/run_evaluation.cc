@@ -69,7 +69,7 @@ void CountFalseAlarms(const RunResults& run, const GroundTruth& truth, RunEvalua
 
 RunEvaluation EvaluateRun(const RunResults& run, const SequenceTruth& sequence,
                           const std::vector<CategoryModel>& models, const CadLibrary& cad) {
-  const GroundTruth& truth = sequence.truth;
+  const GroundTruth truth = TruthOfRun(sequence.truth, run);
   const TrueScene scene(sequence, models, cad);
   RunEvaluation evaluation;
   evaluation.sequence = sequence.name;

@@ -66,6 +66,11 @@ ARMATURE_JSON_FIELDS(RetrievalRecord, sequence, run, category, queries, in_libra
                      mean_reciprocal_rank, compared, chamfer_m, best_of_five_chamfer_m,
                      by_true_shape_chamfer_m, chamfer_ratio, random_chamfer_m, mean_shape_chamfer_m, f_score,
                      f_score_by_true_shape);
+ARMATURE_JSON_FIELDS(RoomStatisticRecord, run, statistic, rooms, value, low, high);
+ARMATURE_JSON_FIELDS(RoomDifferenceRecord, statistic, run_a, run_b, rooms, mean_a, mean_b, difference, low,
+                     high, mark, rooms_to_show_a_tenth);
+ARMATURE_JSON_FIELDS(RoomErrorsRecord, run, object_errors_m, missed);
+ARMATURE_JSON_FIELDS(WorstRoomRecord, run, sequence, folder, error_m);
 ARMATURE_JSON_FIELDS(PaperRecord, sequence, approach, objects, object_error_best_m, object_error_worst_m,
                      object_error_mean_m);
 ARMATURE_JSON_FIELDS(DetectionRecord, sequence, category, true_boxes, detections, recall_share,
@@ -89,6 +94,15 @@ void VisitLists(Records& records, const Visit& visit) {
   visit("uprightness", records.uprightness);
   visit("retrieval", records.retrieval);
   visit("paper", records.paper);
+}
+
+// Lists that a file need not have: those of evaluations over rooms.
+template <typename Records, typename Visit>
+void VisitRoomLists(Records& records, const Visit& visit) {
+  visit("rooms", records.rooms);
+  visit("room_differences", records.room_differences);
+  visit("room_errors", records.room_errors);
+  visit("worst_rooms", records.worst_rooms);
 }
 
 InputError BadRecords(const std::filesystem::path& file, const std::string& why) {
@@ -139,12 +153,19 @@ void AppendRecords(EvaluationRecords more, EvaluationRecords& records) {
   append(more.retrieval, records.retrieval);
   append(more.paper, records.paper);
   append(more.detections, records.detections);
+  append(more.rooms, records.rooms);
+  append(more.room_differences, records.room_differences);
+  append(more.room_errors, records.room_errors);
+  append(more.worst_rooms, records.worst_rooms);
 }
 
 std::string EvaluationRecordsJson(const EvaluationRecords& records) {
   nlohmann::ordered_json json{{"schema", kRecordsSchema}};
   VisitLists(records, [&](const char* key, const auto& list) { json[key] = list; });
   if (!records.detections.empty()) json[kDetectionsKey] = records.detections;
+  VisitRoomLists(records, [&](const char* key, const auto& list) {
+    if (!list.empty()) json[key] = list;
+  });
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -158,6 +179,9 @@ EvaluationRecords ReadEvaluationRecords(const std::filesystem::path& file) {
   try {
     VisitLists(records, [&](const char* key, auto& list) { ReadList(json, key, list); });
     if (json.contains(kDetectionsKey)) ReadList(json, kDetectionsKey, records.detections);
+    VisitRoomLists(records, [&](const char* key, auto& list) {
+      if (json.contains(key)) ReadList(json, key, list);
+    });
   } catch (const InputError& error) {
     throw BadRecords(file, error.what());
   }

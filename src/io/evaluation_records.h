@@ -117,6 +117,35 @@ struct RetrievalRecord {
   std::optional<double> f_score{}, f_score_by_true_shape{};
 };
 
+// A number over the rooms of a run's name, and between what it lies in 95 of 100 draws of the rooms.
+struct RoomStatisticRecord {
+  std::string run{}, statistic{};  // "object_error_median_m"
+  long rooms = 0;
+  std::optional<double> value{}, low{}, high{};
+};
+
+// The mean over rooms of b's number of a room less a's.
+struct RoomDifferenceRecord {
+  std::string statistic{}, run_a{}, run_b{};
+  long rooms = 0;
+  double mean_a = 0, mean_b = 0, difference = 0, low = 0, high = 0;
+  std::string mark{};                           // same, lower, higher, too few
+  std::optional<long> rooms_to_show_a_tenth{};  // a difference of a tenth of a's mean; none: not known
+};
+
+// The centres' errors of all objects found in any room, and how many were missed.
+struct RoomErrorsRecord {
+  std::string run{};
+  std::vector<double> object_errors_m{};
+  long missed = 0;
+};
+
+// Worst first.
+struct WorstRoomRecord {
+  std::string run{}, sequence{}, folder{};
+  double error_m = 0;  // a missed or spurious object counts as far off as the gate
+};
+
 // A row of the paper's own table.
 struct PaperRecord {
   std::string sequence{}, approach{};  // "1", "Ours"
@@ -151,6 +180,11 @@ struct EvaluationRecords {
   std::vector<RetrievalRecord> retrieval{};
   std::vector<PaperRecord> paper{};
   std::vector<DetectionRecord> detections{};
+  // Only in files of evaluations over rooms.
+  std::vector<RoomStatisticRecord> rooms{};
+  std::vector<RoomDifferenceRecord> room_differences{};
+  std::vector<RoomErrorsRecord> room_errors{};
+  std::vector<WorstRoomRecord> worst_rooms{};
 };
 
 // At the ends of the lists.

@@ -104,7 +104,7 @@ void AddOptionRemark(const OptionTexts& a, const OptionTexts& b, Remarks& remark
 }
 
 // The files that a run reads, but for the images themselves.
-void AddDataRemarks(const fs::path& a, const fs::path& b, Remarks& remarks) {
+void AddFolderRemarks(const fs::path& a, const fs::path& b, Remarks& remarks) {
   if (a == b) return;
   for (const auto& [folder, name] : {std::pair{a, "A"}, std::pair{b, "B"}}) {
     if (fs::is_directory(folder)) continue;
@@ -119,6 +119,20 @@ void AddDataRemarks(const fs::path& a, const fs::path& b, Remarks& remarks) {
     if (text(a) != text(b))
       remarks.push_back({fmt::format("{} of the two sequence folders differ: {}", file, kOtherData), true});
   }
+}
+
+fs::path DetectionsFile(const RunIdentity& run) {
+  return run.detections.empty() ? run.sequence_folder / "detections.csv" : run.detections;
+}
+
+void AddDataRemarks(const RunIdentity& a, const RunIdentity& b, Remarks& remarks) {
+  AddFolderRemarks(a.sequence_folder, b.sequence_folder, remarks);
+  const auto text = [](const fs::path& file) { return fs::exists(file) ? ReadTextFile(file) : ""; };
+  const fs::path of_a = DetectionsFile(a), of_b = DetectionsFile(b);
+  const bool is_told = a.detections.empty() && b.detections.empty();
+  if (!is_told && text(of_a) != text(of_b))
+    remarks.push_back(
+        {fmt::format("the detections differ ({}, {}): {}", of_a.string(), of_b.string(), kOtherData), true});
 }
 
 // The category models that the shapes of a map are of: category to checksum.
@@ -155,7 +169,7 @@ OptionTexts BenchOptions(const Document& json) {
 
 Remarks CompareRunProvenance(const RunIdentity& a, const RunIdentity& b) {
   Remarks remarks;
-  AddDataRemarks(a.sequence_folder, b.sequence_folder, remarks);
+  AddDataRemarks(a, b, remarks);
   AddModelRemarks(a.folder, b.folder, remarks);
   AddFacts(kRunFacts, ReadJsonObject(a.folder / "summary.json", kMakeRunAgain),
            ReadJsonObject(b.folder / "summary.json", kMakeRunAgain), remarks);

@@ -35,6 +35,8 @@ void ReadSummary(const std::filesystem::path& file, RunIdentity& run) {
   try {
     run.sequence = JsonField<std::string>(json, "sequence");
     run.sequence_folder = JsonFieldOr<std::string>(json, "sequence_folder", "");
+    run.jitter = JsonFieldOr(json, "jitter", 0);
+    run.detections = JsonFieldOr<std::string>(json, "detections", "");
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}; {}", file.string(), error.what(), kRunAgain));
   }
@@ -114,6 +116,7 @@ RunResults LoadRun(const std::filesystem::path& folder) {
   run.folder = identity.folder;
   run.sequence = identity.sequence;
   run.sequence_folder = identity.sequence_folder;
+  run.detections = identity.detections;
   ReadObservations(folder / "observations.csv", run);
   ReadAssociations(folder / "associations.csv", run);
   return run;

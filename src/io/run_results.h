@@ -38,12 +38,15 @@ struct RunIdentity {
   std::filesystem::path folder;
   std::string sequence;                   // its name
   std::filesystem::path sequence_folder;  // empty: the run did not record it
+  std::filesystem::path detections{};     // the file of its detections; empty: the sequence's own
+  int jitter = 0;                         // seed of what its input was changed by; 0: nothing
 };
 
 struct RunResults {
   std::filesystem::path folder;
-  std::string sequence;                                              // its name
-  std::filesystem::path sequence_folder;                             // empty: the run did not record it
+  std::string sequence;                   // its name
+  std::filesystem::path sequence_folder;  // empty: the run did not record it
+  std::filesystem::path detections{};     // the file of its detections; empty: the sequence's own
   std::map<std::pair<long long, int>, RunObservation> observations;  // (whole microseconds, index)
 
   // The observation of a detection; stamps match within kStampTolerance. Null: the run has no row of it.

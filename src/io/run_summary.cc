@@ -95,6 +95,8 @@ std::string SummaryJson(const RunSummary& summary, const RunCounts& counts, cons
   json["version"] = build.version;
   json["sequence"] = summary.sequence;
   if (!summary.sequence_folder.empty()) json["sequence_folder"] = summary.sequence_folder;
+  if (!summary.detections.empty()) json["detections"] = summary.detections;
+  if (summary.jitter > 0) json["jitter"] = summary.jitter;
   json["preset"] = summary.preset;
   json["threads"] = summary.threads;
   json["git"] = {{"commit", build.git_commit}, {"dirty", build.git_dirty}};

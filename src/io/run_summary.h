@@ -73,6 +73,8 @@ struct FramePace {
 struct RunSummary {
   std::string sequence;           // its name
   std::string sequence_folder{};  // absolute, empty: not known
+  std::string detections{};       // absolute, their file; empty: the sequence's own
+  int jitter = 0;                 // seed of what its input was changed by; 0: nothing
   std::string preset;             // configuration that the run started from
   int threads = 1;
   OdometryCoverage odometry{};      // of the whole sequence

@@ -219,7 +219,7 @@ void LoadOdometry(const std::filesystem::path& file, const OdometryOptions& opti
 }  // namespace
 
 Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories,
-                      const OdometryOptions& odometry) {
+                      const OdometryOptions& odometry, const std::filesystem::path& detections) {
   CheckFolder(folder);
   const SequenceSettings settings = ReadSequenceSettings(folder / "sequence.yaml");
   Sequence sequence;
@@ -232,8 +232,9 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   sequence.images = ReadImageList(folder / "rgb.txt");
   CheckPace(folder / "rgb.txt", CollectStamps(sequence.images), sequence.fps);
   TellLongestGap(folder / "rgb.txt", sequence.images);
-  sequence.detections =
-      ReadDetections(folder / "detections.csv", sequence.images, sequence.camera, categories);
+  sequence.detections_file = detections;
+  sequence.detections = ReadDetections(detections.empty() ? folder / "detections.csv" : detections,
+                                       sequence.images, sequence.camera, categories);
   LoadSegments(folder / "segments.csv", &sequence);
   LoadOdometry(folder / "odometry.txt", odometry, &sequence);
   Detail(fmt::format("read {}: {} images, {} poses of odometry", folder.string(), sequence.images.size(),

@@ -39,6 +39,7 @@ struct Sequence {
   std::optional<Eigen::Vector3d> up;  // unit, frame of the odometry
   bool odometry_metric = false;
   std::filesystem::path folder;
+  std::filesystem::path detections_file{};         // instead of its own detections.csv; empty: that
   std::vector<ImageEntry> images;                  // by growing stamps, at least one
   std::vector<std::vector<Detection>> detections;  // per image, in the order of the file; angles in radians
   // Per image, undistorted pixels, longest first, instead of those that a detector would find; empty: there
@@ -53,10 +54,11 @@ struct Sequence {
 // Reads the folder. Throws InputError naming file, line and remedy for a missing or malformed file, an
 // unknown key, column or category, a listed image that does not exist or has neither picture nor lines, stamps that do not grow, a detection
 // without image, a box outside its image, a score outside 0..1, or an odometry that gives no image a pose.
+// `detections`: a file to be read instead of the folder's detections.csv; empty: that.
 // odometry.txt may be in the TUM or EuRoC format, or in KITTI's with one line an image. `categories`: names
 // of the known category models.
 Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories,
-                      const OdometryOptions& odometry = {});
+                      const OdometryOptions& odometry = {}, const std::filesystem::path& detections = {});
 
 // The sequence of a rendered scene's n-th draw: "seq1", "seq1-draw2", "seq1-draw3", ...
 std::string NameDraw(const std::string& scene, int draw);

@@ -119,6 +119,14 @@ GroundTruth LoadGroundTruth(const std::filesystem::path& sequence) {
   return truth;
 }
 
+GroundTruth TruthOfRun(GroundTruth truth, const RunResults& run) {
+  if (run.detections.empty()) return truth;
+  truth.detections.clear();
+  truth.false_alarms.clear();
+  truth.knows_detections = false;
+  return truth;
+}
+
 const TrueObject* GroundTruth::FindObject(double timestamp, int index) const {
   const long long at = Microseconds(timestamp);
   const long long tolerance = Microseconds(kStampTolerance);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/run_results.h"
 #include "io/trajectory.h"
 
 namespace armature {
@@ -31,6 +32,7 @@ struct GroundTruth {
   std::map<std::pair<long long, int>, size_t> detections;
   // The detections that are of no object: (timestamp in whole microseconds, index).
   std::vector<std::pair<long long, int>> false_alarms;
+  bool knows_detections = true;  // false: which detections there were, and so what was seen, is not known
 
   // The true T_camera_object of a detection, none when it is of no true object (a false alarm).
   std::optional<Eigen::Isometry3d> TrueCameraObject(double timestamp, int index) const;
@@ -45,5 +47,8 @@ std::vector<TimedPose> LoadTrueTrajectory(const std::filesystem::path& sequence)
 // and line: also for an object or detection that is there twice, a size that is not greater than 0, and an
 // index that no detection of detections.csv (where the folder has one) has at the stamp.
 GroundTruth LoadGroundTruth(const std::filesystem::path& sequence);
+
+// What is true for a run: nothing of single detections where it had others than the sequence's own.
+GroundTruth TruthOfRun(GroundTruth truth, const RunResults& run);
 
 }  // namespace armature

@@ -38,26 +38,49 @@ Json MakeTables(const fs::path& folder) {
   throw InputError(fmt::format("{}: has no list 'tables'; {}", file.string(), kReproduceAgain));
 }
 
+std::string FileName(TableFormat format) {
+  switch (format) {
+    case TableFormat::kText:
+      return "tables.txt";
+    case TableFormat::kMarkdown:
+      return "tables.md";
+    case TableFormat::kCsv:
+      return "tables.csv";
+    case TableFormat::kLatex:
+      return "tables.tex";
+    case TableFormat::kJson:
+      return "tables.json";
+  }
+  return "";
+}
+
+std::string FormatAllJson(const std::vector<Table>& tables, const std::vector<fs::path>& others) {
+  Json json = Json::parse(FormatTables(tables, TableFormat::kJson));
+  for (const fs::path& other : others) {
+    for (const Json& table : MakeTables(other)) json.push_back(table);
+  }
+  return json.dump(2) + "\n";
+}
+
 }  // namespace
+
+std::string FormatAllTables(const std::vector<Table>& tables, const std::vector<fs::path>& others,
+                            TableFormat format) {
+  if (format == TableFormat::kJson) return FormatAllJson(tables, others);
+  std::string text = tables.empty() ? "" : FormatTables(tables, format);
+  for (const fs::path& other : others)
+    text += (text.empty() ? "" : "\n") + ReadTextFile(other / FileName(format));
+  return text;
+}
 
 void WriteAllTables(const fs::path& folder, const std::vector<Table>& tables,
                     const std::vector<JobRecord>& jobs) {
   std::vector<Table> own = tables;
   own.push_back(JobTable(jobs));
   const std::vector<fs::path> others = FoldersWithTables(folder, jobs);
-  for (const auto& [format, name] : {std::pair{TableFormat::kText, "tables.txt"},
-                                     {TableFormat::kMarkdown, "tables.md"},
-                                     {TableFormat::kCsv, "tables.csv"},
-                                     {TableFormat::kLatex, "tables.tex"}}) {
-    std::string text = FormatTables(own, format);
-    for (const fs::path& other : others) text += "\n" + ReadTextFile(other / name);
-    AtomicWrite(folder / name, text);
-  }
-  Json json = Json::parse(FormatTables(own, TableFormat::kJson));
-  for (const fs::path& other : others) {
-    for (const Json& table : MakeTables(other)) json.push_back(table);
-  }
-  AtomicWrite(folder / "tables.json", json.dump(2) + "\n");
+  for (const TableFormat format : {TableFormat::kText, TableFormat::kMarkdown, TableFormat::kCsv,
+                                   TableFormat::kLatex, TableFormat::kJson})
+    AtomicWrite(folder / FileName(format), FormatAllTables(own, others, format));
 }
 
 }  // namespace armature

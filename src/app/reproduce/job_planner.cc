@@ -10,6 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string RoomJob(const MatrixSequence& room) { return "rooms/" + room.name; }
+
 std::string DataJob(int draw) { return draw == 1 ? "data" : fmt::format("data-draw{}", draw); }
 
 bool Names(const std::vector<std::string>& names, const std::string& name) {
@@ -30,6 +32,25 @@ Job JobPlanner::Data(int draw) const {
   AddFrames(matrix_.frames, call);
   job.commands = {call};
   return job;
+}
+
+Job JobPlanner::Room(const MatrixSequence& room) const {
+  const RoomSet& rooms = matrix_.rooms.value();
+  const bool is_split = std::find(kRoomSplits.begin(), kRoomSplits.end(), rooms.split) != kRoomSplits.end();
+  std::vector<std::string> call{"generate",
+                                "--rooms",
+                                Here(rooms.recipe),
+                                "--count",
+                                "1",
+                                "--first",
+                                std::to_string(room.room.value()),
+                                is_split ? "--split" : "--seed",
+                                rooms.split,
+                                "--out",
+                                Here(LocateRooms(matrix_))};
+  for (const fs::path& folder : rooms.collections)
+    call.insert(call.end(), {"--collection", Here(fs::absolute(folder).lexically_normal())});
+  return {.name = RoomJob(room), .commands = {call}, .always = true};
 }
 
 // How the edges of our CAD models lie is the category's padding: datasets/README.md.
@@ -59,8 +80,10 @@ Job JobPlanner::Library() const {
   return job;
 }
 
-Job JobPlanner::Run(const Variant& variant, const MatrixSequence& sequence) const {
-  const std::string folder = fmt::format("runs/{}/{}", variant.name, sequence.name);
+Job JobPlanner::Run(const Variant& variant, const MatrixSequence& sequence, int jitter) const {
+  const std::string folder = jitter == 0
+                                 ? fmt::format("runs/{}/{}", variant.name, sequence.name)
+                                 : fmt::format("jitter/{}-{}/{}", variant.name, jitter, sequence.name);
   std::vector<std::string> call{"run", Here(sequence.folder), "--out", folder, "--preset", variant.preset};
   Job job{.name = folder,
           .outputs = {folder},
@@ -69,11 +92,17 @@ Job JobPlanner::Run(const Variant& variant, const MatrixSequence& sequence) cons
     call.insert(call.end(), {"--config", Here(variant.config)});
     job.inputs.push_back(Here(variant.config));
   }
+  if (jitter > 0) call.insert(call.end(), {"--jitter", std::to_string(jitter)});
+  if (!variant.detections.empty()) {
+    job.inputs.emplace_back(Here(variant.detections / (sequence.name + ".csv")));
+    call.insert(call.end(), {"--detections", job.inputs.back().string()});
+  }
   AddFrames(matrix_.frames, call);
   job.commands = {Call(call)};
   NeedCategories(job);
   if (!matrix_.scenes.empty()) job.after.push_back(DataJob(sequence.draw));
-  if (IsRetrieved(variant.name)) AddRetrieval(folder, job);
+  if (sequence.room) job.after.push_back(RoomJob(sequence));
+  if (IsRetrieved(variant.name) && jitter == 0) AddRetrieval(folder, job);
   return job;
 }
 
@@ -97,15 +126,15 @@ Job JobPlanner::Bench(const Timing& timing) const {
   return job;
 }
 
-Job JobPlanner::Evaluation(const std::string& folder, const std::vector<std::string>& variants,
+Job JobPlanner::Evaluation(const std::string& folder, const std::vector<std::string>& runs,
                            const std::vector<std::string>& more) const {
   Job job{.name = folder, .outputs = {folder}, .inputs = {}};
   std::vector<std::string> call{"eval"};
-  for (const std::string& variant : variants) {
-    call.push_back("runs/" + variant);
-    job.inputs.emplace_back(call.back());
+  for (const std::string& run : runs) {
+    call.push_back(run);
+    job.inputs.emplace_back(run);
   }
-  if (!variants.empty()) AddSequences(job);
+  if (!runs.empty()) AddSequences(job);
   call.insert(call.end(), more.begin(), more.end());
   call.insert(call.end(), {"--out", folder});
   job.commands = {Call(call)};

@@ -28,9 +28,13 @@ class JobPlanner {
   // How the edges of our CAD models lie is the category's padding: datasets/README.md.
   Job Category(const LearntCategory& category) const;
   Job Library() const;
-  Job Run(const Variant& variant, const MatrixSequence& sequence) const;
+  // Draws and renders one; what is there is not made again.
+  Job Room(const MatrixSequence& room) const;
+  // `jitter`: the seed of a repeat; 0: the run itself.
+  Job Run(const Variant& variant, const MatrixSequence& sequence, int jitter = 0) const;
   Job Bench(const Timing& timing) const;
-  Job Evaluation(const std::string& folder, const std::vector<std::string>& variants,
+  // `runs`: folders of run folders.
+  Job Evaluation(const std::string& folder, const std::vector<std::string>& runs,
                  const std::vector<std::string>& more) const;
   // True edges of one's own sequences.
   std::vector<std::string> CadArguments() const;

@@ -80,6 +80,7 @@ void KeepSequences(const Wanted& wanted, Matrix& matrix) {
   std::erase_if(matrix.scenes, [&](const std::string& name) { return !wanted.Has(name); });
   std::erase_if(matrix.sequences,
                 [&](const fs::path& folder) { return !wanted.Has(folder.filename().string()); });
+  if (matrix.rooms && !wanted.Has(matrix.rooms->name)) matrix.rooms.reset();
   std::erase_if(matrix.timings, [&](Timing& timing) {
     const bool needs_sequences = !timing.sequences.empty();
     std::erase_if(timing.sequences, [&](const std::string& name) { return !wanted.Has(name); });
@@ -87,11 +88,41 @@ void KeepSequences(const Wanted& wanted, Matrix& matrix) {
   });
 }
 
+// With what is only made from rendered scenes.
+void ClearSequences(Matrix& matrix) {
+  matrix.scenes.clear();
+  matrix.sequences.clear();
+  matrix.rooms.reset();
+  matrix.categories.clear();
+  if (matrix.cad.empty()) matrix.retrieval.clear();
+}
+
+Variant FindVariant(const std::string& name, const fs::path& configs, const Matrix& matrix) {
+  const auto own = std::find_if(matrix.variants.begin(), matrix.variants.end(),
+                                [&](const Variant& variant) { return variant.name == name; });
+  if (own != matrix.variants.end()) return *own;
+  Variant variant{.name = name, .about = name};
+  if (fs::exists(configs / "presets" / (name + ".yaml"))) {
+    variant.preset = name;
+    return variant;
+  }
+  variant.config = configs / "ablations" / (name + ".yaml");
+  if (fs::exists(variant.config)) return variant;
+  std::vector<std::string> known = VariantNames(matrix);
+  for (const char* folder : {"presets", "ablations"}) {
+    std::error_code absent;
+    for (const auto& entry : fs::directory_iterator(configs / folder, absent))
+      known.push_back(entry.path().stem().string());
+  }
+  throw InputError("--variants: " + UnknownNameMessage("variant, preset or ablation", name, known));
+}
+
 }  // namespace
 
 std::vector<std::string> FamilyNames(const Matrix& matrix) {
   std::vector<std::string> names = matrix.scenes;
   for (const fs::path& folder : matrix.sequences) names.push_back(folder.filename().string());
+  if (matrix.rooms) names.push_back(matrix.rooms->name);
   return names;
 }
 
@@ -112,10 +143,7 @@ void KeepOnly(const std::vector<std::string>& names, Matrix& matrix) {
 }
 
 void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
-  matrix.scenes.clear();
-  matrix.sequences.clear();
-  matrix.categories.clear();
-  if (matrix.cad.empty()) matrix.retrieval.clear();
+  ClearSequences(matrix);
   for (const fs::path& folder : folders) {
     if (!fs::exists(folder / "sequence.yaml"))
       throw InputError(fmt::format("{}: is no sequence: it has no sequence.yaml", folder.string()));
@@ -130,6 +158,30 @@ void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
   for (Timing& timing : matrix.timings) {
     if (!timing.sequences.empty()) timing.sequences = FamilyNames(matrix);
   }
+}
+
+void ReplaceByRooms(const RoomSet& rooms, Matrix& matrix) {
+  ClearSequences(matrix);
+  matrix.timings.clear();
+  matrix.rooms = rooms;
+}
+
+void SelectVariants(const std::vector<std::string>& names, const fs::path& configs, Matrix& matrix) {
+  std::vector<Variant> selected;
+  for (const std::string& name : names) {
+    const bool is_there = std::any_of(selected.begin(), selected.end(),
+                                      [&](const Variant& variant) { return variant.name == name; });
+    if (is_there) throw InputError(fmt::format("--variants: has '{}' twice", name));
+    selected.push_back(FindVariant(name, configs, matrix));
+  }
+  matrix.variants = std::move(selected);
+  for (const Variant& variant : matrix.variants) {
+    if (!variant.IsRun() && !IsAmong(RunVariants(matrix), variant.odometry_of))
+      throw InputError(
+          fmt::format("--variants: '{}' needs '{}'; name both", variant.name, variant.odometry_of));
+  }
+  std::erase_if(matrix.retrieval,
+                [&](const std::string& name) { return !IsAmong(RunVariants(matrix), name); });
 }
 
 void CheckNamesDiffer(const Matrix& matrix) {
@@ -152,16 +204,26 @@ fs::path LocateDraw(const Matrix& matrix, int draw) {
   return draw == 1 ? data : data / fmt::format("draw{}", draw);
 }
 
+fs::path LocateRooms(const Matrix& matrix) { return fs::absolute(matrix.data / "rooms").lexically_normal(); }
+
+std::string NameRoom(const RoomSet& rooms, int number) {
+  return fmt::format("{}-{}-{:03}", rooms.name, rooms.split, number);
+}
+
 std::vector<MatrixSequence> ListSequences(const Matrix& matrix) {
   std::vector<MatrixSequence> sequences;
   for (int draw = 1; draw <= matrix.seeds; ++draw) {
     for (const std::string& scene : matrix.scenes) {
       const std::string name = NameDraw(scene, draw);
-      sequences.push_back({name, scene, draw, LocateDraw(matrix, draw) / name});
+      sequences.push_back({name, scene, draw, LocateDraw(matrix, draw) / name, {}});
     }
   }
   for (const fs::path& folder : matrix.sequences)
-    sequences.push_back({folder.filename().string(), folder.filename().string(), 1, folder});
+    sequences.push_back({folder.filename().string(), folder.filename().string(), 1, folder, {}});
+  for (int number = 0; matrix.rooms && number < matrix.rooms->count; ++number) {
+    const std::string name = NameRoom(*matrix.rooms, number);
+    sequences.push_back({name, matrix.rooms->name, 1, LocateRooms(matrix) / name, number});
+  }
   return sequences;
 }
 

@@ -3,6 +3,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+
 namespace armature {
 namespace {
 
@@ -24,12 +26,25 @@ void EmitCategories(const Matrix& matrix, YAML::Emitter& yaml) {
   yaml << YAML::EndMap;
 }
 
+void EmitRooms(const RoomSet& rooms, YAML::Emitter& yaml) {
+  yaml << YAML::Key << "rooms" << YAML::Value << YAML::BeginMap;
+  Emit("recipe", rooms.recipe.string(), yaml);
+  Emit("count", rooms.count, yaml);
+  const bool is_split = std::find(kRoomSplits.begin(), kRoomSplits.end(), rooms.split) != kRoomSplits.end();
+  Emit(is_split ? "split" : "seed", rooms.split, yaml);
+  std::vector<std::string> collections;
+  for (const fs::path& folder : rooms.collections) collections.push_back(folder.string());
+  if (!collections.empty()) Emit("collections", collections, yaml);
+  yaml << YAML::EndMap;
+}
+
 void EmitVariant(const Variant& variant, YAML::Emitter& yaml) {
   yaml << YAML::BeginMap;
   Emit("name", variant.name, yaml);
   Emit("about", variant.about, yaml);
   if (variant.IsRun()) Emit("preset", variant.preset, yaml);
   if (!variant.config.empty()) Emit("config", variant.config.string(), yaml);
+  if (!variant.detections.empty()) Emit("detections", variant.detections.string(), yaml);
   if (!variant.IsRun()) Emit("odometry_of", variant.odometry_of, yaml);
   yaml << YAML::EndMap;
 }
@@ -56,6 +71,8 @@ std::string MatrixYaml(const Matrix& matrix) {
   yaml << YAML::Key << "sequences" << YAML::Value << YAML::BeginSeq;
   for (const fs::path& folder : matrix.sequences) yaml << folder.string();
   yaml << YAML::EndSeq;
+  if (matrix.rooms) EmitRooms(*matrix.rooms, yaml);
+  if (matrix.jitter > 0) Emit("jitter", matrix.jitter, yaml);
   Emit("seeds", matrix.seeds, yaml);
   Emit("frames", matrix.frames, yaml);
   EmitCategories(matrix, yaml);

@@ -11,19 +11,27 @@
 
 namespace armature {
 
-// The evaluation of all runs, of which the matrix's own tables are made.
+// The evaluation of all runs, of which the matrix's own tables are made; none of rooms, which are too many
+// for a table each.
 inline constexpr const char* kAccuracyJob = "evaluation/accuracy";
+// The same over rooms: those of a recipe, several sequences of one's own, or any that are repeated.
+inline constexpr const char* kRoomsJob = "evaluation/rooms";
 
 // Data, categories, library, runs ("runs/<variant>/<sequence>") and timings ("timings/<name>").
 std::vector<Job> PlanRuns(const Matrix& matrix, const PlanFolders& folders);
 
-// Of the runs and jobs that have succeeded: "evaluation/accuracy", "evaluation/retrieval",
-// "evaluation/library"; each only where there is something to evaluate.
+// Of the runs and jobs that have succeeded: "evaluation/accuracy", "evaluation/rooms",
+// "evaluation/retrieval", "evaluation/library"; each only where there is something to evaluate.
 std::vector<Job> PlanEvaluation(const Matrix& matrix, const PlanFolders& folders,
                                 const std::vector<JobRecord>& done);
 
-// The report of all that has succeeded; `tables`: files of tables to be shown first.
+struct ReportedFiles {
+  std::vector<std::string> tables{};  // files of tables to be shown first
+  std::vector<std::string> runs{};    // runs to be shown in pictures, where not all are
+};
+
+// The report of all that has succeeded.
 Job PlanReport(const Matrix& matrix, const PlanFolders& folders, const std::vector<JobRecord>& done,
-               const std::vector<std::string>& tables);
+               const ReportedFiles& files);
 
 }  // namespace armature

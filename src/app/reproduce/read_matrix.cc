@@ -37,7 +37,7 @@ LearntCategory ReadCategory(const std::string& name, const YamlMap& map) {
 }
 
 Variant ReadVariant(const YamlMap& map, const fs::path& beside) {
-  map.CheckKeys({"name", "about", "preset", "config", "odometry_of"});
+  map.CheckKeys({"name", "about", "preset", "config", "detections", "odometry_of"});
   Variant variant{.name = PlainName(map, "name")};
   variant.about = map.Has("about") ? map.Text("about") : variant.name;
   if (map.Has("preset")) variant.preset = map.Text("preset");
@@ -45,6 +45,13 @@ Variant ReadVariant(const YamlMap& map, const fs::path& beside) {
     variant.config = (beside / map.Text("config")).lexically_normal();
     if (!fs::is_regular_file(variant.config))
       throw InputError(map.At("config", fmt::format("{} is not there", variant.config.string())));
+  }
+  if (map.Has("detections")) {
+    variant.detections = (beside / map.Text("detections")).lexically_normal();
+    if (!fs::is_directory(variant.detections))
+      throw InputError(
+          map.At("detections", fmt::format("{} is no folder; name one that has <sequence>.csv each",
+                                           variant.detections.string())));
   }
   if (map.Has("odometry_of")) variant.odometry_of = map.Text("odometry_of");
   return variant;
@@ -61,11 +68,35 @@ Timing ReadTiming(const YamlMap& map) {
   return timing;
 }
 
+RoomSet ReadRooms(const YamlMap& map, const fs::path& beside) {
+  map.CheckKeys({"recipe", "count", "split", "seed", "collections"});
+  RoomSet rooms = ReadRoomSet(beside / map.Text("recipe"));
+  if (map.Has("count")) rooms.count = map.Integer("count");
+  if (rooms.count < 1) throw InputError(map.At("count", "has to be 1 or more"));
+  if (map.Has("split") && map.Has("seed")) throw InputError(map.At("seed", "and `split` exclude each other"));
+  if (map.Has("split")) {
+    rooms.split = map.Text("split");
+    if (std::find(kRoomSplits.begin(), kRoomSplits.end(), rooms.split) == kRoomSplits.end())
+      throw InputError(map.At(
+          "split", UnknownNameMessage("split", rooms.split, {kRoomSplits.begin(), kRoomSplits.end()})));
+  }
+  if (map.Has("seed")) {
+    if (map.Integer("seed") < 0) throw InputError(map.At("seed", "has to be 0 or more"));
+    rooms.split = std::to_string(map.Integer("seed"));
+  }
+  if (map.Has("collections")) {
+    for (const std::string& folder : map.Texts("collections"))
+      rooms.collections.push_back((beside / folder).lexically_normal());
+  }
+  return rooms;
+}
+
 void ReadSequences(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
   if (map.Has("data")) matrix.data = map.Text("data");
   if (map.Has("scenes")) matrix.scenes = map.Texts("scenes");
   if (map.Has("seeds")) matrix.seeds = map.Integer("seeds");
   if (map.Has("frames")) matrix.frames = map.Integer("frames");
+  if (map.Has("rooms")) matrix.rooms = ReadRooms(map.Map("rooms"), beside);
   if (!map.Has("sequences")) return;
   matrix.sequences.clear();
   for (const std::string& folder : map.Texts("sequences")) {
@@ -95,6 +126,7 @@ void Read(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
   if (map.Has("retrieval")) matrix.retrieval = map.Texts("retrieval");
   if (map.Has("library_every")) matrix.library_every = map.Integer("library_every");
   if (map.Has("cad")) matrix.cad = (beside / map.Text("cad")).lexically_normal();
+  if (map.Has("jitter")) matrix.jitter = map.Integer("jitter");
   if (map.Has("timings")) {
     matrix.timings.clear();
     for (const YamlMap& timing : map.Maps("timings")) matrix.timings.push_back(ReadTiming(timing));
@@ -104,7 +136,7 @@ void Read(const YamlMap& map, const fs::path& beside, Matrix& matrix) {
 const std::vector<std::string> kKeys{"name",     "data",      "scenes",        "sequences",
                                      "seeds",    "frames",    "categories",    "category_folder",
                                      "variants", "retrieval", "library_every", "cad",
-                                     "timings"};
+                                     "timings",  "rooms",     "jitter"};
 
 template <typename Named>
 std::vector<std::string> ListNames(const std::vector<Named>& all) {
@@ -132,6 +164,7 @@ void CheckKnown(const YamlMap& map, const std::string& key, const std::string& w
 void CheckNumbers(const YamlMap& map, const Matrix& matrix) {
   if (matrix.seeds < 1) throw InputError(map.At("seeds", "has to be 1 or more"));
   if (matrix.frames < 0) throw InputError(map.At("frames", "has to be 1 or more, 0 for all"));
+  if (matrix.jitter < 0) throw InputError(map.At("jitter", "has to be 1 or more, 0 for none"));
   if (matrix.library_every < 0) throw InputError(map.At("library_every", "has to be 1 or more, 0 for none"));
 }
 
@@ -139,16 +172,18 @@ void CheckNumbers(const YamlMap& map, const Matrix& matrix) {
 void CheckSequences(const YamlMap& map, const Matrix& matrix) {
   const std::vector<std::string> families = FamilyNames(matrix);
   if (families.empty()) {
-    throw InputError(map.At("scenes",
-                            "and `sequences` are empty: nothing to run; add one, or name sequence "
-                            "folders in the call"));
+    throw InputError(
+        map.At("scenes",
+               "and `sequences` are empty: nothing to run; add one, or `rooms`, or name sequence "
+               "folders in the call"));
   }
   CheckDistinct(map, "sequences", families);
   for (const Timing& timing : matrix.timings) {
     for (const std::string& name : timing.sequences) CheckKnown(map, "timings", "sequence", name, families);
   }
   const bool renders = !matrix.scenes.empty();
-  if (renders && matrix.data.empty()) throw InputError(map.At("data", "has to name a folder for the scenes"));
+  if ((renders || matrix.rooms) && matrix.data.empty())
+    throw InputError(map.At("data", "has to name a folder for the scenes"));
   if (!renders && !matrix.retrieval.empty() && matrix.cad.empty())
     throw InputError(
         map.At("retrieval", "needs CAD models, which come with the scenes or from the folder `cad`"));
@@ -170,6 +205,11 @@ void CheckMatrix(const YamlMap& map, const Matrix& matrix) {
 }
 
 }  // namespace
+
+RoomSet ReadRoomSet(const fs::path& recipe) {
+  const fs::path absolute = fs::absolute(recipe).lexically_normal();
+  return {.recipe = absolute, .name = PlainName(YamlMap::Load(absolute), "name")};
+}
 
 Matrix ReadMatrix(const fs::path& file, const MatrixReading& reading) {
   const YamlMap map = YamlMap::Load(file);

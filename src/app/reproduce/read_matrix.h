@@ -11,9 +11,14 @@ namespace armature {
 
 struct MatrixReading {
   bool fast = false;  // with what the file's key `fast` changes
-  // The sequences of ReplaceSequences are to be run instead of the file's, which then need not have any.
+  // The sequences of ReplaceSequences, or rooms, are to be run instead of the file's, which then need not
+  // have any.
   bool has_own_sequences = false;
 };
+
+// A recipe of rooms with the name that it gives itself. Throws InputError: not there, malformed, no plain
+// name.
+RoomSet ReadRoomSet(const std::filesystem::path& recipe);
 
 // Relative configurations of variants are looked for beside the file. Throws InputError naming file and line:
 // an unknown key, a value of another type, a name that is used twice or not known, nothing to run.

@@ -20,6 +20,7 @@
 #include "base/console.h"
 #include "base/errors.h"
 #include "base/interrupt.h"
+#include "base/nearest_name.h"
 #include "base/progress.h"
 #include "cli/data_folders.h"
 #include "cli/help.h"
@@ -31,12 +32,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+RoomSet MakeRoomSet(const ReproduceArguments& a) {
+  RoomSet rooms = ReadRoomSet(a.rooms);
+  if (a.count > 0) rooms.count = a.count;
+  if (!a.split.empty()) {
+    const std::vector<std::string> known(kRoomSplits.begin(), kRoomSplits.end());
+    if (std::find(known.begin(), known.end(), a.split) == known.end())
+      throw InputError("--split: " + UnknownNameMessage("split", a.split, known));
+    rooms.split = a.split;
+  }
+  if (a.seed) rooms.split = std::to_string(*a.seed);
+  rooms.collections = a.collections;
+  return rooms;
+}
+
+void CheckRoomArguments(const ReproduceArguments& a) {
+  if (!a.rooms.empty() && !a.sequences.empty())
+    throw InputError("reproduce: --rooms and sequence folders exclude each other; call it twice");
+  const bool needs_rooms = a.count > 0 || !a.split.empty() || a.seed || !a.collections.empty();
+  if (needs_rooms && a.rooms.empty())
+    throw InputError("reproduce: --count, --split, --seed and --collection are of --rooms; name a recipe");
+}
+
 Matrix LoadMatrix(const ReproduceArguments& a) {
+  CheckRoomArguments(a);
   Matrix matrix = ReadMatrix(a.config.empty() ? ConfigsFolder(a.configs) / "reproduce.yaml" : a.config,
-                             {.fast = a.fast, .has_own_sequences = !a.sequences.empty()});
+                             {.fast = a.fast, .has_own_sequences = !a.sequences.empty() || !a.rooms.empty()});
   if (!a.data.empty()) matrix.data = a.data;
   if (!a.cad.empty()) matrix.cad = fs::absolute(a.cad).lexically_normal();
   if (!a.sequences.empty()) ReplaceSequences(a.sequences, matrix);
+  if (!a.rooms.empty()) {
+    ReplaceByRooms(MakeRoomSet(a), matrix);
+    matrix.name = matrix.rooms->name + "-" + matrix.rooms->split;
+  }
+  if (!a.variants.empty()) SelectVariants(a.variants, ConfigsFolder(a.configs), matrix);
+  if (a.jitter > 0) matrix.jitter = a.jitter;
   if (!a.categories.empty()) {
     matrix.categories.clear();
     matrix.category_folder = fs::absolute(a.categories).lexically_normal();
@@ -56,9 +86,9 @@ Matrix LoadMatrix(const ReproduceArguments& a) {
 
 // An interrupted call may have been of another matrix: its runs are not to be evaluated with those of this
 // one.
-void RemoveOtherRuns(const fs::path& results, const std::vector<Job>& jobs) {
+void RemoveOtherRuns(const fs::path& results, const std::string& below, const std::vector<Job>& jobs) {
   std::error_code absent;
-  for (const auto& variant : fs::directory_iterator(results / "runs", absent)) {
+  for (const auto& variant : fs::directory_iterator(results / below, absent)) {
     for (const auto& run : fs::directory_iterator(variant.path(), absent)) {
       const std::string name = run.path().lexically_relative(results).string();
       if (std::none_of(jobs.begin(), jobs.end(), [&](const Job& job) { return job.name == name; }))
@@ -80,15 +110,19 @@ class Reproduction {
 
   void Run() {
     const std::vector<Job> runs = PlanRuns(matrix_, folders_);
-    RemoveOtherRuns(folders_.results, runs);
+    for (const char* below : {"runs", "jitter"}) RemoveOtherRuns(folders_.results, below, runs);
     Do("runs and timings", runs);
     Do("evaluation", PlanEvaluation(matrix_, folders_, done_));
     WriteTables();
-    Do("report", {PlanReport(matrix_, folders_, done_, {"evaluation/matrix.json"})});
+    Do("report", {PlanReport(matrix_, folders_, done_, FilesToReport())});
   }
 
   const std::vector<JobRecord>& done() const { return done_; }
   const std::vector<Table>& tables() const { return tables_; }
+  // Folders of evaluations whose tables are the main ones, too.
+  std::vector<fs::path> main_evaluations() const {
+    return IsDone(kRoomsJob) ? std::vector{folders_.results / kRoomsJob} : std::vector<fs::path>{};
+  }
 
  private:
   void Do(const std::string& phase, const std::vector<Job>& jobs) {
@@ -103,18 +137,32 @@ class Reproduction {
     std::move(records.begin(), records.end(), std::back_inserter(done_));
   }
 
+  bool IsDone(const std::string& name) const {
+    return std::any_of(done_.begin(), done_.end(),
+                       [&](const JobRecord& job) { return job.name == name && job.HasSucceeded(); });
+  }
+
+  // Of rooms, those are shown in pictures in which the first variant did worst.
+  ReportedFiles FilesToReport() const {
+    if (!matrix_.rooms) return {.tables = {"evaluation/matrix.json"}};
+    ReportedFiles files;
+    if (!IsDone(kRoomsJob)) return files;
+    for (const WorstRoomRecord& room :
+         ReadEvaluationRecords(folders_.results / kRoomsJob / "records.json").worst_rooms)
+      files.runs.push_back(room.folder);
+    return files;
+  }
+
   // None where nothing was evaluated, or that failed.
   std::optional<MatrixEvaluation> ReadEvaluation() const {
-    const bool is_done = std::any_of(done_.begin(), done_.end(), [](const JobRecord& job) {
-      return job.name == kAccuracyJob && job.HasSucceeded();
-    });
-    if (!is_done) return std::nullopt;
+    if (!IsDone(kAccuracyJob)) return std::nullopt;
     const fs::path file = folders_.results / kAccuracyJob / "records.json";
     return MatrixEvaluation{file, ReadEvaluationRecords(file)};
   }
 
   // Those of the matrix itself; the rest are the evaluation's and the benchmarks'.
   void WriteTables() {
+    if (matrix_.rooms) return;  // the evaluation's say it over all of them
     const std::optional<MatrixEvaluation> evaluation = ReadEvaluation();
     const MatrixEvaluation* known = evaluation ? &*evaluation : nullptr;
     tables_ = {MatrixTable(matrix_, done_, known)};
@@ -177,7 +225,10 @@ CommandHelp ReproduceHelp() {
           "timings alone.\n\n"
           "What was finished is not done again while the program, its configuration and the data are the "
           "same, so an interrupted call goes on where it was. A run that fails is told in the table with its "
-          "reason; the rest goes on.",
+          "reason; the rest goes on.\n\n"
+          "With --rooms, or several sequences of your own, each of them is a room: variants are compared "
+          "over "
+          "rooms with 95 % intervals, paired with the first variant, and the worst rooms are told.",
       .files = {{"OUT/NAME/report.html", "the report"},
                 {"OUT/NAME/tables.*", "all tables as txt, md, csv, tex and json"},
                 {"OUT/NAME/README.txt", "what each of the other files is: runs, raw rows, pictures, logs"},
@@ -186,6 +237,9 @@ CommandHelp ReproduceHelp() {
       .examples = {{"everything; some minutes", "armature reproduce"},
                    {"is everything in place? within a minute", "armature reproduce --fast"},
                    {"one sequence, two variants", "armature reproduce --only seq1,objects,paper"},
+                   {"six variants in 40 rooms",
+                    "armature reproduce --rooms configs/rooms/mixed.yaml --count 40 --variants "
+                    "default,fast,no_viewpoint_prior,no_floor,no_refinement,no_loop_closure"},
                    {"a sequence of your own", "armature reproduce my_sequence --name mine"}}};
 }
 
@@ -209,7 +263,7 @@ int RunReproduce(const ReproduceArguments& arguments) {
   WriteEnvironment(results.partial(), seconds, reproduction.done());
   WriteReadme(results.partial());
   results.Publish();
-  PrintResult(FormatTables(reproduction.tables(), format));
+  PrintResult(FormatAllTables(reproduction.tables(), reproduction.main_evaluations(), format));
   if (format == TableFormat::kText) PrintResult(WhereResultsAre(results, reproduction.done(), seconds));
   ReportFailed(reproduction.done(), results.folder());
   return HasFailed(reproduction.done()) ? 1 : 0;
@@ -227,6 +281,40 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
           "SEQUENCE", a.sequences,
           "sequence folders instead of the matrix's; categories are then those of --categories or CONFIGS")
       ->type_name("DIR");
+  reproduce
+      ->add_option("--rooms", a.rooms,
+                   "rooms drawn from a recipe (datasets/README.md) instead of the matrix's sequences")
+      ->type_name("FILE");
+  reproduce->add_option("--count", a.count, "so many rooms (40)")->check(CLI::PositiveNumber)->type_name("N");
+  CLI::Option& split =
+      KnownValues(*reproduce
+                       ->add_option("--split", a.split,
+                                    "which rooms: development, to be looked at as often as you "
+                                    "like, or check, only to report (development)")
+                       ->type_name("NAME"),
+                  {kRoomSplits.begin(), kRoomSplits.end()});
+  reproduce->add_option("--seed", a.seed, "rooms of this seed instead of a split's")
+      ->excludes(&split)
+      ->type_name("N");
+  reproduce
+      ->add_option("--collection", a.collections, "CAD models to furnish rooms with, may be given repeatedly")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  reproduce
+      ->add_option(
+          "--variants", a.variants,
+          "instead of the matrix's: names of its variants, presets and ablations; the first is what the "
+          "others are compared with")
+      ->type_name("NAME")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  reproduce
+      ->add_option(
+          "--jitter", a.jitter,
+          "repeat each run so often with changes that must not matter (run --jitter): how far do results "
+          "move?")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
   reproduce->add_option("--config", a.config, "the matrix (CONFIGS/reproduce.yaml, which explains its keys)")
       ->type_name("FILE");
   reproduce->add_flag("--fast", a.fast,

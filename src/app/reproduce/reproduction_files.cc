@@ -22,6 +22,8 @@ constexpr std::array kFiles{
     std::pair{"report.html", "the report: open it in a browser"},
     std::pair{"tables.txt", "all tables; also as .md, .csv, .tex and .json"},
     std::pair{"runs", "a run folder each: runs/<variant>/<sequence> (see the README of Armature)"},
+    std::pair{"jitter",
+              "the same again with changes that must not matter: jitter/<variant>-<seed>/<sequence>"},
     std::pair{"evaluation", "tables of accuracy and retrieval, and their raw rows (.csv)"},
     std::pair{"timings", "benchmarks: bench.json, raw.csv (a row a timed run), tables, plots"},
     std::pair{"pictures", "samples of the data, maps with their CAD models, plots"},

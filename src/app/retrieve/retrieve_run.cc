@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 // The views that re-ranking needs, found once for all objects.
 class Looker {
  public:
-  Looker(const RunRetrieval& retrieval, const fs::path& sequence, const std::vector<CategoryModel>& models,
-         const RetrievalOptions& options)
+  Looker(const RunRetrieval& retrieval, const fs::path& sequence, const fs::path& detections,
+         const std::vector<CategoryModel>& models, const RetrievalOptions& options)
       : map_(retrieval.map),
         up_world_(EstimateUp(retrieval.map)),
-        sequence_(LoadSequence(sequence, CategoryNames(models))) {
+        sequence_(LoadSequence(sequence, CategoryNames(models), {}, detections)) {
     std::vector<size_t> cameras;
     for (size_t o = 0; o < map_.objects.size(); ++o) {
       sightings_.push_back(SightingsToLookAt(map_, o, options.views));
@@ -63,7 +63,7 @@ RunRetrieval RetrieveRun(const fs::path& run, const fs::path& sequence,
   RunRetrieval retrieval{run, results.sequence, ReadRunMap(results, models), {}};
   std::optional<Looker> looker;
   if (options.rerank && !retrieval.map.objects.empty())
-    looker.emplace(retrieval, FindSequence(results, sequence), models, options);
+    looker.emplace(retrieval, FindSequence(results, sequence), results.detections, models, options);
   for (size_t o = 0; o < retrieval.map.objects.size(); ++o) {
     ThrowIfInterrupted();
     const MapObject& object = retrieval.map.objects[o];

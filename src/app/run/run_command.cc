@@ -22,12 +22,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Sequence> LoadSequences(const std::vector<fs::path>& folders,
+// The detections that a sequence is run with instead of its own; empty: those.
+fs::path FindDetections(const fs::path& given, const fs::path& sequence) {
+  if (given.empty() || !fs::is_directory(given)) return given;
+  return given / (ReadSequenceSettings(sequence / "sequence.yaml").name + ".csv");
+}
+
+std::vector<Sequence> LoadSequences(const RunArguments& arguments,
                                     const std::vector<std::string>& categories) {
+  const bool is_one_file = !arguments.detections.empty() && !fs::is_directory(arguments.detections);
+  if (is_one_file && arguments.sequences.size() > 1)
+    throw InputError(fmt::format(
+        "--detections {}: is one file for {} sequences; give a folder that has <sequence name>.csv each",
+        arguments.detections.string(), arguments.sequences.size()));
   std::vector<Sequence> sequences;
   std::map<std::string, fs::path> folder_of_name;
-  for (const fs::path& folder : folders) {
-    Sequence sequence = LoadSequence(folder, categories);
+  for (const fs::path& folder : arguments.sequences) {
+    Sequence sequence = LoadSequence(folder, categories, {}, FindDetections(arguments.detections, folder));
     const auto [earlier, is_new] = folder_of_name.emplace(sequence.name, folder);
     if (!is_new) {
       throw InputError(
@@ -115,8 +126,9 @@ int RunRun(const RunArguments& arguments) {
   settings.overlays = arguments.overlays;
   settings.pipelined = arguments.pipelined;
   settings.frames = arguments.frames;
+  settings.jitter = arguments.jitter;
 
-  const std::vector<Sequence> sequences = LoadSequences(arguments.sequences, CategoryNames(settings.models));
+  const std::vector<Sequence> sequences = LoadSequences(arguments, CategoryNames(settings.models));
   const std::vector<fs::path> folders = RunFolders(sequences, arguments.out);
   CheckBeforeRunning(sequences, folders);
 
@@ -140,10 +152,21 @@ void AddRunCommand(CLI::App& app, int& exit_status) {
   Describe(*run, RunHelp());
   BeginSection(*run, "Input");
   run->add_option("SEQUENCE", a.sequences, "sequence folders")->required()->type_name("DIR");
+  run->add_option(
+         "--detections", a.detections,
+         "boxes to use instead of the sequence's detections.csv; with several sequences a folder that "
+         "has <sequence name>.csv each. Single views have no truth then")
+      ->type_name("FILE");
   run->add_option("--frames", a.frames, "only the first N images (0: all)")->type_name("N");
   run->add_flag(
       "--pipelined", a.pipelined,
       "load the next image and find its lines in a second thread: the same results, more frames a second");
+  run->add_option(
+         "--jitter", a.jitter,
+         "change the input by what must not matter (lines by 0.1 pixel, boxes by 0.1 %), in another way "
+         "for each seed: how far do results move? (0: no change)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
   BeginSection(*run, "Output");
   run->add_option("--out", a.out, "run folder; with several sequences DIR/<sequence name> each")
       ->required()

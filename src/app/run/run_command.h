@@ -12,11 +12,13 @@ namespace armature {
 
 struct RunArguments {
   std::vector<std::filesystem::path> sequences;
-  std::filesystem::path out;  // the run folder; with several sequences the folder of the run folders
+  std::filesystem::path detections;  // a file, or a folder of <sequence name>.csv; empty: the sequences' own
+  std::filesystem::path out;         // the run folder; with several sequences the folder of the run folders
   ConfigurationArguments configuration;
   bool overlays = false;
   std::filesystem::path video;  // file, with several sequences the folder of the files; empty: none
   bool pipelined = false;
+  int jitter = 0;  // seed of changes that must not matter; 0: none
   int frames = 0;  // 0: all
   bool json = false;
 };

@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "app/run/jitter.h"
 #include "app/run/video_file.h"
 #include "base/console.h"
 #include "base/errors.h"
@@ -45,10 +46,11 @@ bool NeedsPictures(const Sequence& sequence, const SequenceRunSettings& settings
   return sequence.segments.empty() || settings.overlays || !settings.video.empty();
 }
 
-PreparedFrame Prepare(const Sequence& sequence, size_t index, bool needs_picture, FramePipeline& pipeline) {
+PreparedFrame Prepare(const Sequence& sequence, size_t index, const SequenceRunSettings& settings,
+                      FramePipeline& pipeline) {
   PreparedFrame prepared;
   cv::Mat gray;
-  if (needs_picture) {
+  if (NeedsPictures(sequence, settings)) {
     const StageClock clock(prepared.load_ms);
     prepared.colour = ReadImage(sequence.images[index].file, sequence.camera);
     if (prepared.colour.image) cv::cvtColor(*prepared.colour.image, gray, cv::COLOR_BGR2GRAY);
@@ -58,6 +60,8 @@ PreparedFrame Prepare(const Sequence& sequence, size_t index, bool needs_picture
     prepared.lines.segments = sequence.segments[index];
   else if (prepared.colour.image)
     prepared.lines = pipeline.DetectLines(gray, sequence.detections[index]);
+  if (settings.jitter > 0)
+    JitterSegments(static_cast<std::uint64_t>(settings.jitter), index, prepared.lines.segments);
   return prepared;
 }
 
@@ -66,9 +70,7 @@ class FrameSource {
  public:
   FrameSource(const Sequence& sequence, size_t count, const SequenceRunSettings& settings,
               FramePipeline& pipeline)
-      : prepare_([&, needs_picture = NeedsPictures(sequence, settings)](size_t index) {
-          return Prepare(sequence, index, needs_picture, pipeline);
-        }) {
+      : prepare_([&](size_t index) { return Prepare(sequence, index, settings, pipeline); }) {
     if (settings.pipelined) ahead_.emplace(count, prepare_);
   }
   PreparedFrame Frame(size_t index) { return ahead_ ? ahead_->Take() : prepare_(index); }
@@ -176,9 +178,21 @@ std::optional<MapSummary> WriteMaps(const FramePipeline& pipeline, RunWriter& wr
                     .solve_ms = maps->solve_ms};
 }
 
+// As the summary names it.
+std::string DetectionsFile(const Sequence& sequence) {
+  if (sequence.detections_file.empty()) return "";
+  return std::filesystem::absolute(sequence.detections_file).lexically_normal().string();
+}
+
 size_t FrameCount(const Sequence& sequence, int limit) {
   if (limit <= 0) return sequence.images.size();
   return std::min(sequence.images.size(), static_cast<size_t>(limit));
+}
+
+Sequence Jittered(Sequence sequence, int jitter) {
+  for (size_t i = 0; jitter > 0 && i < sequence.detections.size(); ++i)
+    JitterBoxes(static_cast<std::uint64_t>(jitter), i, sequence.camera, sequence.detections[i]);
+  return sequence;
 }
 
 // All frames, from the image to the result.
@@ -215,8 +229,9 @@ FramePace RunFrames(const Sequence& sequence, const SequenceRunSettings& setting
 
 }  // namespace
 
-SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSettings& settings,
+SequenceRunResult RunSequence(const Sequence& given, const SequenceRunSettings& settings,
                               const std::filesystem::path& folder) {
+  const Sequence sequence = Jittered(given, settings.jitter);
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
   FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up,
@@ -230,6 +245,8 @@ SequenceRunResult RunSequence(const Sequence& sequence, const SequenceRunSetting
   ThrowIfInterrupted();
   writer.Finish({.sequence = sequence.name,
                  .sequence_folder = std::filesystem::absolute(sequence.folder).lexically_normal().string(),
+                 .detections = DetectionsFile(sequence),
+                 .jitter = settings.jitter,
                  .preset = settings.preset,
                  .threads = settings.pipelined ? 2 : 1,
                  .odometry = sequence.coverage,

@@ -22,6 +22,7 @@ struct SequenceRunSettings {
   bool overlays = false;        // also write overlays/<index>.jpg
   std::filesystem::path video;  // file of the overlays as a video; empty: none
   int frames = 0;               // only the first so many, 0: all
+  int jitter = 0;               // seed of changes that must not matter, see jitter.h; 0: none
   bool pipelined = false;       // load the next image and find its lines in a second thread
 };
 
