@@ -106,8 +106,7 @@ cv::Mat3b Photograph(const Studio& studio, int index, GeneratedFrame* frame,
 void FindLines(const Studio& studio, int index, GeneratedFrame* frame, std::vector<VisibleObject>* visible) {
   const Scene& scene = studio.scene;
   NoteContent(studio, SeeObjects(studio.rays(), scene.camera, frame->T_world_camera), frame, visible);
-  const std::uint64_t seed =
-      StreamSeed(StreamSeed(scene.seed, kSegments), static_cast<std::uint64_t>(index));
+  const std::uint64_t seed = StreamSeed(StreamSeed(scene.seed, kSegments), static_cast<std::uint64_t>(index));
   frame->segments =
       SimulateSegments(studio.lines, studio.rays(), scene.camera, frame->T_world_camera, {}, seed);
 }

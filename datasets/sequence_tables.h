@@ -35,7 +35,7 @@ struct GeneratedSequence {
   double fps = 0;
   Camera camera;
   std::optional<Eigen::Vector3d> up_odom;  // told to the pipeline; none: it has to find out
-  bool lines_only = false;                // there are no pictures
+  bool lines_only = false;                 // there are no pictures
   std::vector<GeneratedObject> objects;
   std::vector<GeneratedFrame> frames;
 };

@@ -18,12 +18,24 @@
 namespace armature {
 
 // The kinds of tables, in the order in which they are printed.
-inline const std::vector<std::string> kTableNames{
-    "observations",       "edges",      "trajectory",      "objects",
-    "each_object",        "normal",     "paper",           "retrieval",
-    "retrieval_variants", "each_query", kLibraryTableName, "rooms",
-    "room_differences",   "stability",  "worst_rooms",     "room_factors",
-    "room_groups",        kDetectionTableName};
+inline const std::vector<std::string> kTableNames{"observations",
+                                                  "edges",
+                                                  "trajectory",
+                                                  "objects",
+                                                  "each_object",
+                                                  "normal",
+                                                  "paper",
+                                                  "retrieval",
+                                                  "retrieval_variants",
+                                                  "each_query",
+                                                  kLibraryTableName,
+                                                  "rooms",
+                                                  "room_differences",
+                                                  "stability",
+                                                  "worst_rooms",
+                                                  "room_factors",
+                                                  "room_groups",
+                                                  kDetectionTableName};
 
 struct EvalArguments {
   // Run folders or folders of such; or trajectory files alone; or, for the table of detections, sequence

@@ -23,9 +23,12 @@ SegmentNoise Perfect() {
   return noise;
 }
 
-std::vector<PlacedMesh> Of(const Part& part, int object = 1) { return {{Mesh{{part}}, Isometry3d::Identity(), object}}; }
+std::vector<PlacedMesh> Of(const Part& part, int object = 1) {
+  return {{Mesh{{part}}, Isometry3d::Identity(), object}};
+}
 
-std::vector<Segment> See(const std::vector<PlacedMesh>& meshes, const SegmentNoise& noise, std::uint64_t seed = 1) {
+std::vector<Segment> See(const std::vector<PlacedMesh>& meshes, const SegmentNoise& noise,
+                         std::uint64_t seed = 1) {
   const auto lines = FindSurfaceLines(meshes, noise.patterns_per_m2, 7);
   return SimulateSegments(lines, RayScene(meshes), kCamera, Isometry3d::Identity(), noise, seed);
 }
@@ -91,7 +94,8 @@ TEST(SimulatedSegments, ShortAndFaintLinesAreMissedMoreOften) {
   std::vector<PlacedMesh> meshes;
   for (int i = 0; i < 200; ++i) {
     const Vector3d low(-2 + 0.15 * (i % 20), -1 + 0.2 * (i / 20), 4);
-    meshes.push_back({Mesh{{Block(low, low + Vector3d(0.12, 0.16, 0.1), {})}}, Isometry3d::Identity(), i + 1});
+    meshes.push_back(
+        {Mesh{{Block(low, low + Vector3d(0.12, 0.16, 0.1), {})}}, Isometry3d::Identity(), i + 1});
   }
   SegmentNoise noise = Perfect();
   const size_t all = See(meshes, noise).size();

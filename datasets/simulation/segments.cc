@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kNearDepth = 0.1;      // metres before the camera
-constexpr double kRayStep = 5;     // pixels between two points of a line that are looked at
-constexpr double kInFront = 0.01;  // metres that they are moved towards the camera, off their own surface
+constexpr double kNearDepth = 0.1;  // metres before the camera
+constexpr double kRayStep = 5;      // pixels between two points of a line that are looked at
+constexpr double kInFront = 0.01;   // metres that they are moved towards the camera, off their own surface
 
 // A line's part before the camera and inside of the image; depths along the optical axis.
 struct ProjectedLine {
@@ -105,8 +105,8 @@ Segment Shaken(const Segment& segment, const SegmentNoise& noise, Random& random
 
 // Whether the detector sees it: the line's own contrast, and the picture's luck.
 bool IsFound(double length, double contrast, const SegmentNoise& noise, Random& random) {
-  const double luck = std::sqrt(noise.persistence) * contrast +
-                      std::sqrt(1 - noise.persistence) * random.Normal(0, 1);
+  const double luck =
+      std::sqrt(noise.persistence) * contrast + std::sqrt(1 - noise.persistence) * random.Normal(0, 1);
   return luck < noise.steepness * std::log(length / noise.found_px);
 }
 

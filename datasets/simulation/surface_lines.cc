@@ -67,8 +67,7 @@ void AddEdges(const Part& part, const Eigen::Isometry3d& T_world_mesh, Random& r
     const bool is_sharp = edge.normals.size() != 2 || normal1.dot(normal2) < kSharp;
     const double contrast = random.Normal(0, 1);
     if (!is_sharp && normal1.dot(normal2) > 1 - 1e-9) continue;  // within one plane
-    lines.push_back(
-        {T_world_mesh * edge.p1, T_world_mesh * edge.p2, normal1, normal2, is_sharp, contrast});
+    lines.push_back({T_world_mesh * edge.p1, T_world_mesh * edge.p2, normal1, normal2, is_sharp, contrast});
   }
 }
 

@@ -11,10 +11,10 @@
 namespace armature {
 
 struct SurfaceLine {
-  Eigen::Vector3d p1, p2;               // world, metres
-  Eigen::Vector3d normal1, normal2;     // of the two faces, outwards; equal: on a face, or where one ends
-  bool is_sharp = true;                 // else it is seen only as an outline: one face towards the camera
-  double contrast = 0;                  // standard normal; the same in all pictures
+  Eigen::Vector3d p1, p2;            // world, metres
+  Eigen::Vector3d normal1, normal2;  // of the two faces, outwards; equal: on a face, or where one ends
+  bool is_sharp = true;              // else it is seen only as an outline: one face towards the camera
+  double contrast = 0;               // standard normal; the same in all pictures
 };
 
 // Edges of all parts, those of smooth curves as outlines; lines of patterns (joints of floors, grain, prints)

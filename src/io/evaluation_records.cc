@@ -82,8 +82,6 @@ ARMATURE_JSON_FIELDS(DetectionRecord, sequence, category, true_boxes, detections
 
 namespace {
 
-constexpr const char* kDetectionsKey = "detections";
-
 // Calls visit(key, list) for each list of the records.
 template <typename Records, typename Visit>
 void VisitLists(Records& records, const Visit& visit) {
@@ -96,13 +94,14 @@ void VisitLists(Records& records, const Visit& visit) {
   visit("paper", records.paper);
 }
 
-// Lists that a file need not have: those of evaluations over rooms.
+// Lists that a file need not have: those of evaluations over rooms and of detections.
 template <typename Records, typename Visit>
-void VisitRoomLists(Records& records, const Visit& visit) {
+void VisitOptionalLists(Records& records, const Visit& visit) {
   visit("rooms", records.rooms);
   visit("room_differences", records.room_differences);
   visit("room_errors", records.room_errors);
   visit("worst_rooms", records.worst_rooms);
+  visit("detections", records.detections);
 }
 
 InputError BadRecords(const std::filesystem::path& file, const std::string& why) {
@@ -162,8 +161,7 @@ void AppendRecords(EvaluationRecords more, EvaluationRecords& records) {
 std::string EvaluationRecordsJson(const EvaluationRecords& records) {
   nlohmann::ordered_json json{{"schema", kRecordsSchema}};
   VisitLists(records, [&](const char* key, const auto& list) { json[key] = list; });
-  if (!records.detections.empty()) json[kDetectionsKey] = records.detections;
-  VisitRoomLists(records, [&](const char* key, const auto& list) {
+  VisitOptionalLists(records, [&](const char* key, const auto& list) {
     if (!list.empty()) json[key] = list;
   });
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -178,8 +176,7 @@ EvaluationRecords ReadEvaluationRecords(const std::filesystem::path& file) {
   EvaluationRecords records;
   try {
     VisitLists(records, [&](const char* key, auto& list) { ReadList(json, key, list); });
-    if (json.contains(kDetectionsKey)) ReadList(json, kDetectionsKey, records.detections);
-    VisitRoomLists(records, [&](const char* key, auto& list) {
+    VisitOptionalLists(records, [&](const char* key, auto& list) {
       if (json.contains(key)) ReadList(json, key, list);
     });
   } catch (const InputError& error) {

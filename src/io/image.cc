@@ -97,7 +97,8 @@ std::string Encoded(const std::filesystem::path& name, const cv::Mat& picture) {
 
 ImageResult ReadImage(const std::filesystem::path& file) {
   if (file.empty())
-    return {std::nullopt, "a frame has no picture, only the lines of segments.csv; give a sequence with pictures"};
+    return {std::nullopt,
+            "a frame has no picture, only the lines of segments.csv; give a sequence with pictures"};
   std::string bytes;
   try {
     bytes = ReadTextFile(file);

@@ -28,10 +28,11 @@ struct ImageResult {
   int orientation = 1;           // the file's EXIF tag, which is not followed
 };
 
-// Reads the whole image, which has to be of the camera's size. No name: there is none, which the error says. A truncated JPEG counts as unreadable. Never
-// throws for bad files: the caller decides whether one unreadable image is skipped or ends the run. Grey
-// becomes colour, transparency is left out; a note says, of the first such file, that an EXIF orientation is
-// not followed, that 16 bits hold fewer and are stretched, and to what real numbers are brought.
+// Reads the whole image, which has to be of the camera's size. No name: there is none, which the error says.
+// A truncated JPEG counts as unreadable. Never throws for bad files: the caller decides whether one
+// unreadable image is skipped or ends the run. Grey becomes colour, transparency is left out; a note says, of
+// the first such file, that an EXIF orientation is not followed, that 16 bits hold fewer and are stretched,
+// and to what real numbers are brought.
 ImageResult ReadImage(const std::filesystem::path& file, const Camera& camera);
 
 // The same for an image of any size.

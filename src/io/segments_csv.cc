@@ -37,9 +37,8 @@ void WriteSegments(const std::filesystem::path& file, const std::vector<double>&
   std::string text = "timestamp,x1,y1,x2,y2\n";
   for (size_t i = 0; i < stamps.size(); ++i) {
     for (const Segment& segment : segments[i]) {
-      text +=
-          fmt::format("{},{},{},{},{}\n", Fixed(stamps[i], 6), Fixed(segment.p1.x(), 2),
-                      Fixed(segment.p1.y(), 2), Fixed(segment.p2.x(), 2), Fixed(segment.p2.y(), 2));
+      text += fmt::format("{},{},{},{},{}\n", Fixed(stamps[i], 6), Fixed(segment.p1.x(), 2),
+                          Fixed(segment.p1.y(), 2), Fixed(segment.p2.x(), 2), Fixed(segment.p2.y(), 2));
     }
   }
   WriteFile(file, text);

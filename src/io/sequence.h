@@ -27,7 +27,7 @@ struct SequenceSettings {
 };
 
 struct ImageEntry {
-  double timestamp = 0;  // seconds
+  double timestamp = 0;        // seconds
   std::filesystem::path file;  // empty: there is no picture, segments.csv has its lines
   int line = 0;                // of rgb.txt
 };
@@ -52,11 +52,11 @@ struct Sequence {
 };
 
 // Reads the folder. Throws InputError naming file, line and remedy for a missing or malformed file, an
-// unknown key, column or category, a listed image that does not exist or has neither picture nor lines, stamps that do not grow, a detection
-// without image, a box outside its image, a score outside 0..1, or an odometry that gives no image a pose.
-// `detections`: a file to be read instead of the folder's detections.csv; empty: that.
-// odometry.txt may be in the TUM or EuRoC format, or in KITTI's with one line an image. `categories`: names
-// of the known category models.
+// unknown key, column or category, a listed image that does not exist or has neither picture nor lines,
+// stamps that do not grow, a detection without image, a box outside its image, a score outside 0..1, or an
+// odometry that gives no image a pose. `detections`: a file to be read instead of the folder's
+// detections.csv; empty: that. odometry.txt may be in the TUM or EuRoC format, or in KITTI's with one line an
+// image. `categories`: names of the known category models.
 Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std::string>& categories,
                       const OdometryOptions& odometry = {}, const std::filesystem::path& detections = {});
 
