@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "eval/detections/seen_boxes.h"
+#include "eval/detections/true_boxes.h"
 #include "io/evaluation_records.h"
 #include "support/program.h"
 #include "support/true_world.h"
@@ -24,7 +24,7 @@ struct DetectedWorld : TrueWorld {
     const TrueWireframes wireframes(sequence.truth.objects, models);
     std::string rows = "timestamp,category,x,y,width,height,score\n";
     for (const TimedPose& camera : sequence.truth.T_world_camera) {
-      for (const SeenBox& seen : wireframes.Seen(sequence.camera, camera.pose)) {
+      for (const TrueBox& seen : wireframes.Seen(sequence.camera, camera.pose)) {
         rows += fmt::format("{:.6f},{},{},{},{},{},0.9\n", camera.timestamp,
                             sequence.truth.objects[seen.object].category, seen.visible.x, seen.visible.y,
                             seen.visible.width, seen.visible.height);

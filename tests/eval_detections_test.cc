@@ -27,7 +27,7 @@ const std::vector<CategoryModel>& Models() {
 
 TEST(TrueWireframes, HaveTheObjectsSizeInTheImage) {
   const TrueWireframes wireframes({TableAt("a", {0, 0, 3}, {1.2, 0.7, 0.6})}, Models());
-  const std::vector<SeenBox> seen = wireframes.Seen(kEye, Eigen::Isometry3d::Identity());
+  const std::vector<TrueBox> seen = wireframes.Seen(kEye, Eigen::Isometry3d::Identity());
   ASSERT_EQ(seen.size(), 1U);
   // The nearest corners are at 2.7 m; the top's reach 0.6 m to the sides, 0.35 m up and the feet as far down.
   EXPECT_NEAR(seen[0].visible.width, 500 * 1.2 / 2.7, 3);
@@ -52,7 +52,7 @@ TEST(TrueWireframes, AreHiddenByEachOtherAndCutByTheImage) {
   EXPECT_GE(half[0].visible.left(), -0.5);
 }
 
-SeenBox SeenAt(size_t object, double x, double share = 1) {
+TrueBox SeenAt(size_t object, double x, double share = 1) {
   return {object, {x, 100, 100, 100}, {x, 100, 100, 100}, share};
 }
 
@@ -65,28 +65,28 @@ Detection DetectedAt(const std::string& category, double x, double score) {
 }
 
 TEST(MatchDetections, TellsWhatEachDetectionIs) {
-  const std::vector<SeenBox> seen = {SeenAt(0, 0), SeenAt(1, 200), SeenAt(2, 400, 0.1)};
+  const std::vector<TrueBox> seen = {SeenAt(0, 0), SeenAt(1, 200), SeenAt(2, 400, 0.1)};
   const auto matched = MatchDetections({DetectedAt("chair", 20, 0.5),    // a worse one of the first
                                         DetectedAt("chair", 5, 0.9),     // the first
                                         DetectedAt("chair", 205, 0.8),   // on the table
                                         DetectedAt("chair", 395, 0.7),   // on what is hardly seen
                                         DetectedAt("chair", 300, 0.6)},  // on nothing by half
                                        seen, {"chair", "table", "chair"});
-  EXPECT_EQ(matched[0].verdict, Verdict::kDuplicate);
-  EXPECT_EQ(matched[1].verdict, Verdict::kRight);
+  EXPECT_EQ(matched[0].verdict, DetectionVerdict::kDuplicate);
+  EXPECT_EQ(matched[1].verdict, DetectionVerdict::kRight);
   EXPECT_NEAR(matched[1].iou, 95.0 / 105, 1e-9);
-  EXPECT_EQ(matched[2].verdict, Verdict::kWrongCategory);
-  EXPECT_EQ(matched[3].verdict, Verdict::kNotJudged);
-  EXPECT_EQ(matched[4].verdict, Verdict::kFalseAlarm);
+  EXPECT_EQ(matched[2].verdict, DetectionVerdict::kWrongCategory);
+  EXPECT_EQ(matched[3].verdict, DetectionVerdict::kNotJudged);
+  EXPECT_EQ(matched[4].verdict, DetectionVerdict::kFalseAlarm);
 }
 
 TEST(MatchDetections, AcceptsTheBoxOfWhatIsSeenAndOfTheWholeObject) {
-  SeenBox half = SeenAt(0, 0);
+  TrueBox half = SeenAt(0, 0);
   half.visible.width = 40;
   Detection narrow = DetectedAt("chair", 0, 0.5);
   narrow.box.width = 40;
   for (const Detection& detection : {DetectedAt("chair", 0, 0.5), narrow})
-    EXPECT_EQ(MatchDetections({detection}, {half}, {"chair"})[0].verdict, Verdict::kRight);
+    EXPECT_EQ(MatchDetections({detection}, {half}, {"chair"})[0].verdict, DetectionVerdict::kRight);
 }
 
 ErrorSeries Series(const std::vector<double>& errors) {

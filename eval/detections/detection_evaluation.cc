@@ -24,7 +24,7 @@ struct JudgedFrame {
   double timestamp = 0;
   Eigen::Isometry3d T_world_camera;
   const std::vector<Detection>* detections = nullptr;
-  std::vector<SeenBox> seen;
+  std::vector<TrueBox> seen;
   std::vector<MatchedDetection> matched;  // as detections
 };
 
@@ -74,10 +74,10 @@ std::array<std::optional<double>, 4> SideErrors(const Box& found, const Box& tru
   return errors;
 }
 
-class Judge {
+class DetectionJudge {
  public:
-  Judge(const SequenceTruth& sequence, const std::vector<CategoryModel>& models,
-        const std::optional<std::string>& category)
+  DetectionJudge(const SequenceTruth& sequence, const std::vector<CategoryModel>& models,
+                 const std::optional<std::string>& category)
       : sequence_(sequence), models_(models), category_(category) {}
 
   Sums AddUp(const std::vector<JudgedFrame>& frames) {
@@ -97,12 +97,12 @@ class Judge {
     for (size_t i = 0; i < frame.matched.size(); ++i) {
       const Detection& detection = (*frame.detections)[i];
       const MatchedDetection& match = frame.matched[i];
-      if (!IsOurs(detection.category) || match.verdict == Verdict::kNotJudged) continue;
+      if (!IsOurs(detection.category) || match.verdict == DetectionVerdict::kNotJudged) continue;
       ++sums_.detections;
-      sums_.duplicates += match.verdict == Verdict::kDuplicate;
-      sums_.wrong_category += match.verdict == Verdict::kWrongCategory;
-      sums_.false_alarms += match.verdict == Verdict::kFalseAlarm;
-      if (match.verdict == Verdict::kWrongCategory || match.verdict == Verdict::kFalseAlarm)
+      sums_.duplicates += match.verdict == DetectionVerdict::kDuplicate;
+      sums_.wrong_category += match.verdict == DetectionVerdict::kWrongCategory;
+      sums_.false_alarms += match.verdict == DetectionVerdict::kFalseAlarm;
+      if (match.verdict == DetectionVerdict::kWrongCategory || match.verdict == DetectionVerdict::kFalseAlarm)
         alarms.push_back(detection.box);
     }
     sums_.alarms.AddFrame(alarms);
@@ -115,15 +115,16 @@ class Judge {
     ErrorSeries azimuths;
     for (const JudgedFrame& frame : frames) {
       const auto seen = std::find_if(frame.seen.begin(), frame.seen.end(),
-                                     [&](const SeenBox& one) { return one.object == object; });
+                                     [&](const TrueBox& one) { return one.object == object; });
       if (seen == frame.seen.end() || !IsAskedFor(*seen)) {
         sums_.misses.Break();
         continue;
       }
       const auto place = static_cast<size_t>(seen - frame.seen.begin());
-      const auto match = std::find_if(
-          frame.matched.begin(), frame.matched.end(),
-          [&](const MatchedDetection& one) { return one.verdict == Verdict::kRight && one.seen == place; });
+      const auto match =
+          std::find_if(frame.matched.begin(), frame.matched.end(), [&](const MatchedDetection& one) {
+            return one.verdict == DetectionVerdict::kRight && one.seen == place;
+          });
       ++sums_.asked_for;
       sums_.misses.Add(match == frame.matched.end());
       if (match == frame.matched.end()) continue;
@@ -245,10 +246,10 @@ std::vector<DetectionRecord> EvaluateDetections(const std::vector<DetectedFrame>
   }
   std::vector<DetectionRecord> records;
   for (const std::string& category : categories) {
-    Judge judge(sequence, models, category);
+    DetectionJudge judge(sequence, models, category);
     records.push_back(MakeRecord(sequence.name, category, judge.AddUp(judged), step));
   }
-  Judge judge(sequence, models, std::nullopt);
+  DetectionJudge judge(sequence, models, std::nullopt);
   records.push_back(MakeRecord(sequence.name, std::nullopt, judge.AddUp(judged), step));
   return records;
 }

@@ -7,11 +7,11 @@
 namespace armature {
 namespace {
 
-struct Moments {
+struct ErrorMoments {
   double mean = 0, variance = 0;
 };
 
-Moments MomentsOf(const std::vector<ErrorSeries>& series) {
+ErrorMoments MomentsOf(const std::vector<ErrorSeries>& series) {
   double count = 0, sum = 0, squares = 0;
   for (const ErrorSeries& one : series) {
     for (const double error : one.errors) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastOverlap = 0.5;  // as Pascal VOC has it
 
-double Overlap(const Detection& detection, const SeenBox& seen) {
+double Overlap(const Detection& detection, const TrueBox& seen) {
   return std::max(IntersectionOverUnion(detection.box, seen.visible),
                   IntersectionOverUnion(detection.box, seen.whole));
 }
@@ -24,7 +24,7 @@ std::vector<size_t> ByFallingScore(const std::vector<Detection>& detections) {
 
 // The one of those that are eligible which the detection overlaps most, and by how much.
 template <typename IsEligible>
-MatchedDetection Best(const Detection& detection, const std::vector<SeenBox>& seen, Verdict verdict,
+MatchedDetection Best(const Detection& detection, const std::vector<TrueBox>& seen, DetectionVerdict verdict,
                       const IsEligible& is_eligible) {
   MatchedDetection best;
   for (size_t i = 0; i < seen.size(); ++i) {
@@ -37,13 +37,13 @@ MatchedDetection Best(const Detection& detection, const std::vector<SeenBox>& se
 
 }  // namespace
 
-bool IsAskedFor(const SeenBox& seen) {
+bool IsAskedFor(const TrueBox& seen) {
   constexpr double kLeastShare = 0.3, kLeastSize = 24;  // of the edges; pixels, of the larger side
   return seen.share >= kLeastShare && std::max(seen.visible.width, seen.visible.height) >= kLeastSize;
 }
 
 std::vector<MatchedDetection> MatchDetections(const std::vector<Detection>& detections,
-                                              const std::vector<SeenBox>& seen,
+                                              const std::vector<TrueBox>& seen,
                                               const std::vector<std::string>& categories) {
   std::vector<MatchedDetection> matched(detections.size());
   std::vector<bool> is_taken(seen.size(), false);
@@ -51,14 +51,15 @@ std::vector<MatchedDetection> MatchDetections(const std::vector<Detection>& dete
     const Detection& detection = detections[d];
     const auto is_alike = [&](size_t i) { return categories[seen[i].object] == detection.category; };
     MatchedDetection& match = matched[d];
-    match = Best(detection, seen, Verdict::kRight,
+    match = Best(detection, seen, DetectionVerdict::kRight,
                  [&](size_t i) { return is_alike(i) && !is_taken[i] && IsAskedFor(seen[i]); });
     if (match.seen) is_taken[*match.seen] = true;
     if (!match.seen)
-      match =
-          Best(detection, seen, Verdict::kDuplicate, [&](size_t i) { return is_alike(i) && is_taken[i]; });
-    if (!match.seen) match = Best(detection, seen, Verdict::kNotJudged, is_alike);
-    if (!match.seen) match = Best(detection, seen, Verdict::kWrongCategory, [](size_t) { return true; });
+      match = Best(detection, seen, DetectionVerdict::kDuplicate,
+                   [&](size_t i) { return is_alike(i) && is_taken[i]; });
+    if (!match.seen) match = Best(detection, seen, DetectionVerdict::kNotJudged, is_alike);
+    if (!match.seen)
+      match = Best(detection, seen, DetectionVerdict::kWrongCategory, [](size_t) { return true; });
   }
   return matched;
 }

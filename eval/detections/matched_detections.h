@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "association/detection.h"
-#include "eval/detections/seen_boxes.h"
+#include "eval/detections/true_boxes.h"
 
 namespace armature {
 
 // What a detection is.
-enum class Verdict {
+enum class DetectionVerdict {
   kRight,          // of a true object, the first of it
   kDuplicate,      // of one that a detection with a higher score is of
   kWrongCategory,  // on one of another category
@@ -21,18 +21,18 @@ enum class Verdict {
 };
 
 struct MatchedDetection {
-  Verdict verdict = Verdict::kFalseAlarm;
+  DetectionVerdict verdict = DetectionVerdict::kFalseAlarm;
   std::optional<size_t> seen;  // place in the list of seen boxes: what it is of, or on
   double iou = 0;              // with that one's box
 };
 
 // What is to be found of the seen.
-bool IsAskedFor(const SeenBox& seen);
+bool IsAskedFor(const TrueBox& seen);
 
 // One a detection. `categories`: of the true objects. By falling score each takes the box that it overlaps
 // most: at least half (intersection over union) of what is seen of the object or of all of it in the image.
 std::vector<MatchedDetection> MatchDetections(const std::vector<Detection>& detections,
-                                              const std::vector<SeenBox>& seen,
+                                              const std::vector<TrueBox>& seen,
                                               const std::vector<std::string>& categories);
 
 }  // namespace armature

@@ -12,7 +12,7 @@
 
 namespace armature {
 
-struct SeenBox {
+struct TrueBox {
   size_t object = 0;  // place among the true objects
   Box visible;        // around what is seen of it, pixels inside the image
   Box whole;          // around all of it that is in the image, hidden or not
@@ -27,7 +27,7 @@ class TrueWireframes {
   TrueWireframes(const std::vector<TrueObject>& objects, const std::vector<CategoryModel>& models);
 
   // Of all objects of which something is in the image; hidden by each other's and their own faces.
-  std::vector<SeenBox> Seen(const Camera& camera, const Eigen::Isometry3d& T_world_camera) const;
+  std::vector<TrueBox> Seen(const Camera& camera, const Eigen::Isometry3d& T_world_camera) const;
 
  private:
   struct Object {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/detections/seen_boxes.h"
+#include "eval/detections/true_boxes.h"
 
 #include "association/projection.h"
 #include "category/category_lookup.h"
@@ -64,7 +64,7 @@ TrueWireframes::TrueWireframes(const std::vector<TrueObject>& objects,
   }
 }
 
-std::vector<SeenBox> TrueWireframes::Seen(const Camera& camera,
+std::vector<TrueBox> TrueWireframes::Seen(const Camera& camera,
                                           const Eigen::Isometry3d& T_world_camera) const {
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse();
   std::vector<std::vector<ImageFace>> faces;
@@ -72,7 +72,7 @@ std::vector<SeenBox> TrueWireframes::Seen(const Camera& camera,
     faces.push_back(
         ProjectFaces(camera, object.spec, object.wireframe, T_camera_world * object.T_world_object));
   }
-  std::vector<SeenBox> seen;
+  std::vector<TrueBox> seen;
   for (size_t i = 0; i < objects_.size(); ++i) {
     const Object& object = objects_[i];
     const Eigen::Isometry3d T_camera_object = T_camera_world * object.T_world_object;
