@@ -20,14 +20,14 @@ constexpr int kChairEdges = 11, kSeatEdges = 3, kSeatSides = 4;
 
 // Where rays from above meet the seat around its middle: cushions and bent shells are higher than its edges.
 Eigen::Vector3d SeatTop(const CadInstance& chair) {
-  constexpr double kAbove = 0.2, kAround = 0.08, kGap = 0.002;  // metres
+  constexpr double kFromAbove = 0.2, kAside = 0.08, kGap = 0.002;  // metres
   Eigen::Vector3d top = chair.wireframe.midpoints.middleCols(kSeatEdges, kSeatSides).rowwise().mean();
   const RayScene rays({{chair.mesh}});
-  const double start = top.y() + kAbove;
-  for (const double x : {-kAround, 0.0, kAround}) {
-    for (const double z : {-kAround, 0.0, kAround}) {
+  const double start = top.y() + kFromAbove;
+  for (const double x : {-kAside, 0.0, kAside}) {
+    for (const double z : {-kAside, 0.0, kAside}) {
       const RayHit hit = rays.Nearest({top.x() + x, start, top.z() + z}, Eigen::Vector3d(0, -1, 0));
-      if (hit.mesh >= 0 && hit.distance < 2 * kAbove)
+      if (hit.mesh >= 0 && hit.distance < 2 * kFromAbove)
         top.y() = std::max(top.y(), start - hit.distance + kGap);
     }
   }
