@@ -20,8 +20,8 @@
 #include "datasets/cad/folder_collection.h"
 #include "datasets/rooms/generate_rooms.h"
 #include "datasets/scene/scene_yaml.h"
+#include "datasets/sequence_pictures.h"
 #include "io/image.h"
-#include "io/segments_csv.h"
 #include "io/sequence.h"
 
 namespace armature {
@@ -32,44 +32,13 @@ namespace fs = std::filesystem;
 // Of the contact sheet; rows of one sequence, pixels of a picture and between.
 constexpr int kColumns = 5, kRows = 2, kWidth = 240, kMargin = 4;
 
-cv::Mat3b DrawSegments(const std::vector<Segment>& segments, const Camera& camera) {
-  cv::Mat3b picture(camera.height, camera.width, cv::Vec3b(255, 255, 255));
-  const auto place = [](const Eigen::Vector2d& end) { return cv::Point2d(end.x(), end.y()); };
-  for (const Segment& segment : segments)
-    cv::line(picture, place(segment.p1), place(segment.p2), cv::Scalar(40, 40, 40), 2, cv::LINE_AA);
-  return picture;
-}
-
-// The pictures, or drawings of the lines where there is none.
-class Pictures {
- public:
-  Pictures(const fs::path& sequence, const std::vector<ImageEntry>& images) : images_(images) {
-    if (!images_.front().file.empty()) return;
-    camera_ = ReadSequenceSettings(sequence / "sequence.yaml").camera;
-    segments_ = ReadSegments(sequence / "segments.csv", images_);
-  }
-
-  cv::Mat Read(size_t index) const {
-    if (!segments_.empty()) return DrawSegments(segments_[index], camera_);
-    const ImageResult read = ReadImage(images_[index].file);
-    if (!read.image) throw InputError(read.error);
-    return *read.image;
-  }
-
- private:
-  const std::vector<ImageEntry>& images_;
-  Camera camera_;
-  std::vector<std::vector<Segment>> segments_;
-};
-
 // Pictures evenly over the sequence; fewer when it has fewer.
 std::vector<cv::Mat3b> Thumbnails(const std::filesystem::path& sequence) {
-  const std::vector<ImageEntry> images = ReadImageList(sequence / "rgb.txt");
-  const Pictures pictures(sequence, images);
-  const size_t wanted = std::min<size_t>(kColumns * kRows, images.size());
+  const SequencePictures pictures(sequence);
+  const size_t wanted = std::min<size_t>(kColumns * kRows, pictures.size());
   std::vector<cv::Mat3b> thumbnails;
   for (size_t i = 0; i < wanted; ++i) {
-    const cv::Mat image = pictures.Read(i * images.size() / wanted);
+    const cv::Mat image = pictures.Read(i * pictures.size() / wanted);
     cv::Mat3b small;
     cv::resize(image, small, {kWidth, kWidth * image.rows / image.cols}, 0, 0, cv::INTER_AREA);
     thumbnails.push_back(small);

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "base/errors.h"
 #include "datasets/scene/clutter.h"
 #include "datasets/scene/solid.h"
-#include "io/image.h"
-#include "io/sequence.h"
+#include "datasets/sequence_pictures.h"
 
 namespace armature {
 namespace {
@@ -76,11 +74,9 @@ cv::Mat3b InCell(const cv::Mat& image) {
   return cell;
 }
 
-cv::Mat3b PictureAt(const std::vector<ImageEntry>& images, double share) {
-  const auto index = static_cast<size_t>(share * static_cast<double>(images.size()));
-  const ImageResult read = ReadImage(images[std::min(index, images.size() - 1)].file);
-  if (!read.image) throw InputError(read.error);
-  return InCell(*read.image);
+cv::Mat3b PictureAt(const SequencePictures& pictures, double share) {
+  const auto index = static_cast<size_t>(share * static_cast<double>(pictures.size()));
+  return InCell(pictures.Read(std::min(index, pictures.size() - 1)));
 }
 
 }  // namespace
@@ -108,9 +104,9 @@ cv::Mat3b RoomSheet(const std::vector<RoomPictures>& rooms) {
                   cv::Vec3b(255, 255, 255));
   for (int i = 0; i < static_cast<int>(rooms.size()); ++i) {
     const RoomPictures& room = rooms[static_cast<size_t>(i)];
-    const std::vector<ImageEntry> images = ReadImageList(room.folder / "rgb.txt");
+    const SequencePictures pictures(room.folder);
     const int x = kGap + i % kRoomsARow * (kCells * step_x + 2 * kGap), y = kGap + i / kRoomsARow * step_y;
-    const std::vector<cv::Mat3b> cells{PictureAt(images, 0.25), PictureAt(images, 0.75), room.plan};
+    const std::vector<cv::Mat3b> cells{PictureAt(pictures, 0.25), PictureAt(pictures, 0.75), room.plan};
     for (int k = 0; k < kCells; ++k)
       cells[static_cast<size_t>(k)].copyTo(sheet({x + k * step_x, y, kCellWidth, kCellHeight}));
   }
