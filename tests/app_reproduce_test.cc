@@ -133,9 +133,10 @@ class ReproduceTwoRooms : public ::testing::Test {
     }
   }
   ProgramResult Reproduce(const std::vector<std::string>& more) const {
-    std::vector<std::string> arguments{"reproduce",        folder_ / "out/den", folder_ / "out/lair",
-                                       "--variants",       "default,fast",      "--out",
-                                       folder_ / "results"};
+    const std::string config = folder_.Write(
+        "two.yaml",
+        "sequences: [out/den, out/lair]\nvariants: [{name: default}, {name: fast, preset: fast}]\n");
+    std::vector<std::string> arguments{"reproduce", "--config", config, "--out", folder_ / "results"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunProgram(arguments);
   }

@@ -150,7 +150,10 @@ std::vector<std::string> JobPlanner::CadArguments() const {
 
 // Truth and images.
 void JobPlanner::AddSequences(Job& job) const {
-  for (const MatrixSequence& sequence : sequences_) job.inputs.emplace_back(Here(sequence.folder));
+  for (const MatrixSequence& sequence : sequences_) {
+    const bool is_missing = sequence.room && !fs::exists(sequence.folder);  // it could not be made
+    if (!is_missing) job.inputs.emplace_back(Here(sequence.folder));
+  }
 }
 
 // With what all calls are told.

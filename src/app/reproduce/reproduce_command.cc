@@ -262,8 +262,9 @@ int RunReproduce(const ReproduceArguments& arguments) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   WriteEnvironment(results.partial(), seconds, reproduction.done());
   WriteReadme(results.partial());
+  const std::string text = FormatAllTables(reproduction.tables(), reproduction.main_evaluations(), format);
   results.Publish();
-  PrintResult(FormatAllTables(reproduction.tables(), reproduction.main_evaluations(), format));
+  PrintResult(text);
   if (format == TableFormat::kText) PrintResult(WhereResultsAre(results, reproduction.done(), seconds));
   ReportFailed(reproduction.done(), results.folder());
   return HasFailed(reproduction.done()) ? 1 : 0;
