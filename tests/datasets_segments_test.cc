@@ -11,7 +11,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-const Camera kCamera{640, 480, 500, 500, 319.5, 239.5, {}};
+const Camera kSmallCamera{640, 480, 500, 500, 319.5, 239.5, {}};
 
 // Nothing is missed, broken or moved, and nothing is drawn on the faces.
 SegmentNoise Perfect() {
@@ -30,7 +30,7 @@ std::vector<PlacedMesh> Of(const Part& part, int object = 1) {
 std::vector<Segment> See(const std::vector<PlacedMesh>& meshes, const SegmentNoise& noise,
                          std::uint64_t seed = 1) {
   const auto lines = FindSurfaceLines(meshes, noise.patterns_per_m2, 7);
-  return SimulateSegments(lines, RayScene(meshes), kCamera, Isometry3d::Identity(), noise, seed);
+  return SimulateSegments(lines, RayScene(meshes), kSmallCamera, Isometry3d::Identity(), noise, seed);
 }
 
 double LongestOf(const std::vector<Segment>& segments) {
@@ -116,7 +116,7 @@ TEST(SimulatedSegments, AreTheSameForTheSameSeedAndOthersForAnother) {
 
 TEST(SeeObjects, NumbersThePixelsOfAnObject) {
   const RayScene rays(Of(Block(Vector3d(-0.5, -0.5, 2), {0.5, 0.5, 3}, {}), 3));
-  const cv::Mat1i objects = SeeObjects(rays, kCamera, Isometry3d::Identity());
+  const cv::Mat1i objects = SeeObjects(rays, kSmallCamera, Isometry3d::Identity());
   EXPECT_EQ(objects(240, 320), 3);
   EXPECT_EQ(objects(240, 180), kRoom);
   EXPECT_NEAR(cv::countNonZero(objects), 250 * 250, 2 * 250 * 4);

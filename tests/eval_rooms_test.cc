@@ -198,7 +198,7 @@ SequenceTruth CorridorTruth() {
   SequenceTruth sequence;
   sequence.camera = {.width = 640, .height = 480, .fx = 500, .fy = 500, .cx = 320, .cy = 240};
   for (int i = 0; i < 3; ++i) {
-    TimedPose camera{.timestamp = i};
+    TimedPose camera{.timestamp = static_cast<double>(i)};
     camera.pose.translation() << -3 + 3 * i, 0, 0;
     sequence.truth.T_world_camera.push_back(camera);
     sequence.truth.detections[{1000000LL * i, 0}] = 0;

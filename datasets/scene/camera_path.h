@@ -16,11 +16,11 @@ struct CameraPath {
     kKeyframes,  // smoothly through given poses
   };
   struct Keyframe {
-    Eigen::Vector2d position{0, 0};   // x, y of the world, metres
-    double heading_deg = 0;           // of the optical axis, counter-clockwise from the world's x
-    std::optional<double> height;     // metres; none: the path's
-    std::optional<double> pitch_deg;  // none: the path's
-    double roll_deg = 0;              // about the optical axis, clockwise as the camera sees it
+    Eigen::Vector2d position{0, 0};     // x, y of the world, metres
+    double heading_deg = 0;             // of the optical axis, counter-clockwise from the world's x
+    std::optional<double> height{};     // metres; none: the path's
+    std::optional<double> pitch_deg{};  // none: the path's
+    double roll_deg = 0;                // about the optical axis, clockwise as the camera sees it
   };
 
   Kind kind = Kind::kLoop;
