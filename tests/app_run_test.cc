@@ -239,7 +239,7 @@ TEST(AppRun, TakesOtherDetectionsThatTheEvaluationKnowsNoTruthOf) {
   std::string other = testing::kTinyDetectionsHeader;
   other += "0.0,table,40,40,60,50,0.9,,,\n";
   const std::string file = folder.Write("network/den.csv", other);
-  for (const std::string& given : {file, folder / "network"}) {
+  for (const std::string& given : {std::string(file), (folder / "network").string()}) {
     RunOk({"run", sequence, "--out", folder / "run", "--detections", given});
     EXPECT_EQ(CsvTable(folder / "run/observations.csv", {"timestamp"}).rows().size(), 1u);
     const auto summary = nlohmann::json::parse(ReadFile(folder / "run/summary.json"));

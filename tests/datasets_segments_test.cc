@@ -18,6 +18,7 @@ SegmentNoise Perfect() {
   SegmentNoise noise;
   noise.patterns_per_m2 = 0;
   noise.found_px = 1e-6;
+  noise.most = 1e9;
   noise.break_px = 1e9;
   noise.end_px = noise.across_px = noise.own_px = 0;
   return noise;

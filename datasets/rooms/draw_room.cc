@@ -22,6 +22,7 @@ constexpr int kPathTries = 150;    // a room, most of which end in some furnitur
 constexpr int kPathsCompared = 8;  // of those that do not
 constexpr double kEnough = 0.7;    // share of the objects seen: no better path is looked for
 constexpr int kFewest = 3;         // objects seen
+constexpr double kBusy = 0.6;      // share of the poses from which some object is seen, at least
 constexpr int kViewStep = 3;       // every third pose is looked at
 constexpr int kSeedLimit = 1000000000;
 
@@ -85,16 +86,28 @@ struct SeenPath {
   CameraPath path;
   std::vector<bool> is_seen;  // of the objects
   int seen = 0;
+  double busy = 0;  // share of the poses from which some object is seen
+
+  // First whether it looks at furniture most of the time, then how much of it.
+  bool IsBetterThan(const SeenPath& other) const {
+    if ((busy >= kBusy) != (other.busy >= kBusy)) return busy >= kBusy;
+    return seen > other.seen;
+  }
 };
 
 SeenPath Look(const RoomSight& sight, const Scene& scene, const CameraPath& path) {
   const std::vector<Eigen::Isometry3d> poses = SomePoses(scene, path);
-  const int fewest = std::max(1, static_cast<int>(poses.size()) / 20);
-  SeenPath seen{path, {}, 0};
-  for (const int views : sight.CountViews(poses)) {
-    seen.is_seen.push_back(views >= fewest);
-    seen.seen += views >= fewest ? 1 : 0;
+  const long fewest = std::max<long>(1, static_cast<long>(poses.size()) / 20);
+  SeenPath seen{path, {}, 0, 0};
+  std::vector<bool> is_busy(poses.size(), false);
+  for (const std::vector<bool>& views : sight.FindViews(poses)) {
+    const bool is_seen = std::count(views.begin(), views.end(), true) >= fewest;
+    seen.is_seen.push_back(is_seen);
+    seen.seen += is_seen ? 1 : 0;
+    for (size_t i = 0; i < poses.size(); ++i) is_busy[i] = is_busy[i] || views[i];
   }
+  seen.busy = static_cast<double>(std::count(is_busy.begin(), is_busy.end(), true)) /
+              static_cast<double>(poses.size());
   return seen;
 }
 
@@ -110,8 +123,8 @@ std::optional<SeenPath> FindPath(const Recipe& recipe, const DrawnRoom& room, st
     if (!path) continue;
     ++compared;
     SeenPath seen = Look(sight, room.scene, *path);
-    if (!best || seen.seen > best->seen) best = std::move(seen);
-    if (best->seen >= kEnough * static_cast<double>(room.scene.objects.size())) break;
+    if (!best || seen.IsBetterThan(*best)) best = std::move(seen);
+    if (best->busy >= kBusy && best->seen >= kEnough * static_cast<double>(room.scene.objects.size())) break;
   }
   return best;
 }
@@ -151,6 +164,7 @@ std::string TryRoom(const Recipe& recipe, const Furniture& furniture, const Room
   const std::optional<SeenPath> path = FindPath(recipe, *room, seed(kPathway));
   if (!path) return "no path keeps away from walls and furniture";
   if (path->seen < kFewest) return fmt::format("{} objects are seen", path->seen);
+  if (path->busy < kBusy) return "the camera mostly looks at no furniture";
   room->scene.path = path->path;
   LeaveOutUnseen(path->is_seen, room);
   room->sections = DrawSections(recipe, seed(kSections));

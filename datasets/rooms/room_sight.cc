@@ -60,10 +60,11 @@ bool RoomSight::IsSeen(size_t object, const Eigen::Isometry3d& T_world_camera) c
   return seen > kSeenShare * all;
 }
 
-std::vector<int> RoomSight::CountViews(const std::vector<Eigen::Isometry3d>& T_world_camera) const {
-  std::vector<int> views(scene_.objects.size(), 0);
+std::vector<std::vector<bool>> RoomSight::FindViews(
+    const std::vector<Eigen::Isometry3d>& T_world_camera) const {
+  std::vector<std::vector<bool>> views(scene_.objects.size());
   for (size_t i = 0; i < views.size(); ++i) {
-    for (const Eigen::Isometry3d& pose : T_world_camera) views[i] += IsSeen(i, pose) ? 1 : 0;
+    for (const Eigen::Isometry3d& pose : T_world_camera) views[i].push_back(IsSeen(i, pose));
   }
   return views;
 }

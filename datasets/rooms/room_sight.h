@@ -13,8 +13,8 @@ class RoomSight {
  public:
   explicit RoomSight(const Scene& scene);  // its objects and its clutter
 
-  // For each object the number of these poses from which a third of it is seen, at most 7 m away.
-  std::vector<int> CountViews(const std::vector<Eigen::Isometry3d>& T_world_camera) const;
+  // For each object and each pose whether a third of it is seen from there, at most 7 m away.
+  std::vector<std::vector<bool>> FindViews(const std::vector<Eigen::Isometry3d>& T_world_camera) const;
 
  private:
   bool IsSeen(size_t object, const Eigen::Isometry3d& T_world_camera) const;

@@ -107,7 +107,7 @@ Segment Shaken(const Segment& segment, const SegmentNoise& noise, Random& random
 bool IsFound(double length, double contrast, const SegmentNoise& noise, Random& random) {
   const double luck =
       std::sqrt(noise.persistence) * contrast + std::sqrt(1 - noise.persistence) * random.Normal(0, 1);
-  return luck < noise.steepness * std::log(length / noise.found_px);
+  return luck < std::min(noise.steepness * std::log(length / noise.found_px), noise.most);
 }
 
 bool IsAlong(const Segment& segment, const Segment& longer, double distance) {

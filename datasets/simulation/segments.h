@@ -17,16 +17,17 @@ namespace armature {
 
 // How the shipped detector finds lines, fitted to it on rendered pictures (datasets/README.md).
 struct SegmentNoise {
-  double patterns_per_m2 = 1.0;  // of all surfaces
-  double found_px = 22;          // length of a line that is found every second time
-  double steepness = 1.6;        // of that share over the logarithm of the length
-  double persistence = 0.8;      // share of the variance that is the line's own, in all pictures
-  double break_px = 110;         // mean length until a break
-  double gap_px = 5;             // mean length of a break
-  double end_px = 1.5;           // sigma of an end along the line
-  double across_px = 0.5;        // sigma of an end across it
-  double own_px = 2.5;           // lines nearer to a longer one, and along it, are lost to it
-  double min_length_px = 10;     // as the detector's
+  double patterns_per_m2 = 16;  // of all surfaces
+  double found_px = 12;         // length of a line that is found every second time
+  double steepness = 1.6;       // of that, standard deviations a factor e of length
+  double most = 0.75;           // no line is found more often, standard deviations: 77 %
+  double persistence = 0.8;     // share of the variance that is the line's own, in all pictures
+  double break_px = 110;        // mean length until a break
+  double gap_px = 5;            // mean length of a break
+  double end_px = 1.5;          // sigma of an end along the line
+  double across_px = 0.8;       // sigma of an end across it
+  double own_px = 2.5;          // lines nearer to a longer one, and along it, are lost to it
+  double min_length_px = 10;    // as the detector's
 };
 
 // Pixels, longest first. `lines`: of the scene that the rays meet.

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 const double kSharp = std::cos(25 * kDegree);  // between the normals of faces that meet in an edge
 constexpr double kShortest = 0.004;            // metres: no camera sees what is shorter as a line
-constexpr double kPatternLength = 0.35;        // metres, median; its logarithm has a deviation of 0.7
+constexpr double kPatternLength = 0.18;        // metres, median; its logarithm has a deviation of 0.7
 
 std::vector<Vector3d> Corners(const Quad& quad) {
   std::vector<Vector3d> corners(quad.corners.begin(), quad.corners.end());
