@@ -139,7 +139,8 @@ TEST(RoomFactorsTest, MissedObjectsAreCountedByThirds) {
     variant.rooms.push_back(MakeRoom("room-" + std::to_string(i), {i < 6 ? 0.1 : -1.0}));
     variant.rooms.back().objects[0].circumstances.distance_m = i;
   }
-  const auto& row = RoomFactorTable(variant).rows.at(0);
+  const Table table = RoomFactorTable(variant);
+  const auto& row = table.rows.at(0);
   EXPECT_EQ(row[11].text, "0");
   EXPECT_EQ(row[13].text, "100");
   EXPECT_EQ(row[10].text, "") << "none was found there";

@@ -169,7 +169,7 @@ Mesh Plant(const Vector3d& size, const Colour& colour, Random& random) {
                                 Of(Texture::kPlain, colour, 0.1, 0.1, random)));
   mesh.parts.push_back(Cylinder({0, 0, pot}, {0, 0, pot + 0.002}, 0.9 * pot_radius, 0.9 * pot_radius, 24,
                                 Of(Texture::kCarpet, {0.2, 0.14, 0.1}, 0.01, 0, random)));
-  mesh.parts.push_back(Cylinder({0, 0, pot}, {0, 0, 0.85 * size.z()}, 0.015, 0.008, 8,
+  mesh.parts.push_back(Cylinder({0, 0, pot}, {0, 0, size.z()}, 0.015, 0.004, 8,
                                 Of(Texture::kPlain, {0.3, 0.26, 0.15}, 0.05, 0, random)));
   const int leaves = 34;
   for (int i = 0; i < leaves; ++i) {

@@ -71,6 +71,29 @@ void AddEdges(const Part& part, const Eigen::Isometry3d& T_world_mesh, Random& r
   }
 }
 
+// How many lines of a pattern there are, of those of wood: painted walls have hardly any.
+double PatternShare(Texture texture) {
+  switch (texture) {
+    case Texture::kPlain:
+      return 0.15;
+    case Texture::kCarpet:
+      return 0.5;
+    case Texture::kFabric:
+      return 0.7;
+    case Texture::kWood:
+      return 1;
+    case Texture::kTiles:
+    case Texture::kBoards:
+      return 2;
+    case Texture::kPrint:
+    case Texture::kPicture:
+    case Texture::kScreen:
+    case Texture::kKeyboard:
+      return 10;
+  }
+  return 1;
+}
+
 // Along one of the face's sides, where the pattern's lines mostly run.
 void AddPatterns(const Quad& quad, const Eigen::Isometry3d& T_world_mesh, double per_m2, Random& random,
                  std::vector<SurfaceLine>& lines) {
@@ -104,7 +127,8 @@ std::vector<SurfaceLine> FindSurfaceLines(const std::vector<PlacedMesh>& meshes,
     for (const Part& part : placed.mesh.parts) {
       AddEdges(part, placed.T_world_mesh, random, lines);
       for (const Quad& quad : part.quads)
-        AddPatterns(quad, placed.T_world_mesh, patterns_per_m2, random, lines);
+        AddPatterns(quad, placed.T_world_mesh, patterns_per_m2 * PatternShare(part.material.texture), random,
+                    lines);
     }
   }
   return lines;

@@ -18,7 +18,7 @@ struct SurfaceLine {
 };
 
 // Edges of all parts, those of smooth curves as outlines; lines of patterns (joints of floors, grain, prints)
-// drawn at random on the faces, so many a square metre. The same for the same seed.
+// drawn at random on the faces, so many a square metre of wood. The same for the same seed.
 std::vector<SurfaceLine> FindSurfaceLines(const std::vector<PlacedMesh>& meshes, double patterns_per_m2,
                                           std::uint64_t seed);
 
