@@ -173,7 +173,8 @@ TEST(StabilityTest, IsTheSpreadOfRepeatsOfARoom) {
   EXPECT_EQ(variants[1].name, "b");
   ASSERT_EQ(repeated.size(), 1u) << "b was not repeated";
   EXPECT_EQ(repeated[0].repeats.size(), 3u);
-  const auto& row = StabilityTable(repeated).rows.at(0);
+  const Table table = StabilityTable(repeated);
+  const auto& row = table.rows.at(0);
   EXPECT_EQ(row[3].text, "0.0500") << "of 0.1 in one room and 0 in the other";
   EXPECT_EQ(row[4].text, "0.1000");
   EXPECT_EQ(row[7].text, "0.0");
