@@ -17,7 +17,7 @@ namespace armature {
 
 // How the shipped detector finds lines, fitted to it on rendered pictures (datasets/README.md).
 struct SegmentNoise {
-  double patterns_per_m2 = 16;  // of all surfaces
+  double patterns_per_m2 = 25;  // of wood, see surface_lines.cc
   double found_px = 12;         // length of a line that is found every second time
   double steepness = 1.6;       // of that, standard deviations a factor e of length
   double most = 0.75;           // no line is found more often, standard deviations: 77 %
