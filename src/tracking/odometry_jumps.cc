@@ -17,13 +17,13 @@ constexpr size_t kRecentSteps = 20, kLeastSteps = 5;
 constexpr double kSuspected = 1.5, kIncredible = 5;
 constexpr double kSteadyHand = 10 * kDegree;  // radians a second, added to what was turned of late
 // The objects are against what is told if they are seen so much worse than without it.
-constexpr double kWorseAfterJump = 0.6, kWorseInOtherUnit = 0.9;
+constexpr double kWorseAfterJump = 0.6, kWorseInOtherUnit = 0.88;
 constexpr size_t kSpeedSteps = 5;            // before and after a change of unit that is suspected
 constexpr double kSuspectedLogFactor = 0.3;  // of speed
 // Shares of that: of the speeds before and after it the spread, and the change from one step to the next.
 constexpr double kLargestSpread = 1, kLeastAtOnce = 0.6;
 constexpr double kSuspicionSeconds = 4;  // that the objects have to tell
-constexpr int kTellingFrames = 4;        // at least
+constexpr int kTellingFrames = 2;        // at least
 constexpr std::array kFactorTrials{0.8, 0.9, 1.0, 1.1,
                                    1.25};  // the camera may have changed its speed as well
 
