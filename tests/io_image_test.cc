@@ -47,6 +47,16 @@ TEST_F(ImageTest, ReportsTruncatedImages) {
   ExpectError("cut.jpg", "not a complete image");
 }
 
+// OpenCV would try the decoder of medical images on it, which may end the program.
+TEST_F(ImageTest, ReportsAFormatThatNoCameraWrites) {
+  std::string bytes = testing::ReadFile(folder_ / "a.png");
+  std::swap(bytes[0], bytes[1]);
+  folder_.Write("swapped.png", bytes);
+  ExpectError("swapped.png", "not a complete image");
+  folder_.Write("medical.png", std::string(128, '\0') + "DICM" + bytes);
+  ExpectError("medical.png", "not a complete image");
+}
+
 TEST_F(ImageTest, ReportsOtherFiles) {
   folder_.Write("text.jpg", "no image");
   folder_.Write("empty.png", "");

@@ -30,9 +30,25 @@ bool IsTruncatedJpeg(std::string_view bytes) {
   return last_scan == std::string_view::npos || bytes.find("\xFF\xD9", last_scan) == std::string_view::npos;
 }
 
+// What cameras and tools write. OpenCV tries its decoders on anything else, and that of medical images ends
+// the program.
+bool IsKnownFormat(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  constexpr std::string_view kStarts[] = {
+      "\xFF\xD8"sv,           "\x89PNG\r\n\x1A\n"sv, "BM"sv,         "II*\0"sv, "MM\0*"sv, "v/1\x01"sv,
+      "\0\0\0\x0CjP  \r\n"sv, "\xFF\x4F\xFF\x51"sv,  "#?RADIANCE"sv, "#?RGBE"sv};
+  const bool is_webp =
+      bytes.starts_with("RIFF"sv) && bytes.substr(std::min<size_t>(8, bytes.size())).starts_with("WEBP"sv);
+  const bool is_pnm = bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '7';
+  return is_webp || is_pnm ||
+         std::any_of(std::begin(kStarts), std::end(kStarts),
+                     [&](std::string_view start) { return bytes.starts_with(start); });
+}
+
 // Pixels as the camera made them, which is what intrinsics and boxes are of: never turned by an orientation.
 cv::Mat Decode(std::string& bytes, int depth) {
-  if (bytes.empty() || bytes.size() > kMostImageBytes || IsTruncatedJpeg(bytes)) return {};
+  if (bytes.empty() || bytes.size() > kMostImageBytes || !IsKnownFormat(bytes) || IsTruncatedJpeg(bytes))
+    return {};
   try {
     return cv::imdecode(cv::Mat(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data()),
                         cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION | depth);
