@@ -150,6 +150,7 @@ TEST_F(EvalObjectsCommand, BadInput) {
   ExpectBadInput(Command({"--gate", "0"}), {"--gate"});
   ExpectBadInput(Command({"--object-alignment", "firstpose"}), {"firstpose", "first_pose"});
   ExpectBadInput(Command({"--paper-numbers", world_.folder / "absent.csv"}), {"absent.csv"});
+  ExpectBadInput(Command({"--raw-objects", world_.folder / "mine/objects.csv/rows.csv"}), {"rows.csv"});
   world_.folder.Write("mine/objects.csv", "id,category\n");
   ExpectBadInput(Command({}), {"mine/objects.csv:1", "instance"});
 }

@@ -24,8 +24,6 @@ constexpr double kSuspectedLogFactor = 0.3;  // of speed
 constexpr double kLargestSpread = 1, kLeastAtOnce = 0.6;
 constexpr double kSuspicionSeconds = 4;  // that the objects have to tell
 constexpr int kTellingFrames = 2;        // at least
-constexpr std::array kFactorTrials{0.8, 0.9, 1.0, 1.1,
-                                   1.25};  // the camera may have changed its speed as well
 
 }  // namespace
 

@@ -51,12 +51,15 @@ class OdometryJumps {
   double unit_ = 1;
   std::deque<Motion> motions_;  // the latest
 
+  // Around a suspected one: the camera may have changed its speed as well.
+  static constexpr std::array kFactorTrials{0.8, 0.9, 1.0, 1.1, 1.25};
+
   // What objects have said of it since; one frame is no evidence.
   struct Suspicion {
     UnitChange change;
-    int frames = 0;                  // in which objects told
-    double told = 0;                 // sum of their agreement with the odometry as it is told
-    std::array<double, 5> undone{};  // the same with the change undone, by factors around the suspected one
+    int frames = 0;   // in which objects told
+    double told = 0;  // sum of their agreement with the odometry as it is told
+    std::array<double, kFactorTrials.size()> undone{};  // the same with the change undone, by trials
   };
   std::optional<Suspicion> suspicion_;
 };
