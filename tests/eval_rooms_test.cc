@@ -198,7 +198,7 @@ TEST(RawRoomsTest, AreARowEach) {
 // A camera that moves along x and looks along z at a chair 4 m away; y of objects is against gravity.
 SequenceTruth CorridorTruth() {
   SequenceTruth sequence;
-  sequence.camera = {.width = 640, .height = 480, .fx = 500, .fy = 500, .cx = 320, .cy = 240};
+  sequence.camera = {.width = 640, .height = 480, .fx = 400, .fy = 400, .cx = 320, .cy = 240};
   for (int i = 0; i < 3; ++i) {
     TimedPose camera{.timestamp = static_cast<double>(i)};
     camera.pose.translation() << -3 + 3 * i, 0, 0;

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "datasets/cad/folder_collection.h"
+#include "datasets/cad/lid.h"
 #include "datasets/rooms/draw_room.h"
 #include "datasets/rooms/generate_rooms.h"
 #include "datasets/rooms/room_text.h"
@@ -114,6 +115,9 @@ TEST(InDrawnSize, GivesSeatsTopsAndLaptopsTheirMeasure) {
   const CadInstance laptop =
       InDrawnSize(furniture, DrawInstance(furniture, "laptop", {1, 1}, random), sizes, random);
   EXPECT_NEAR(MeasureOf(furniture, laptop), 0.31, 1e-4);
+  EXPECT_GE(*laptop.lid_deg, 85);
+  EXPECT_LE(*laptop.lid_deg, 130);
+  EXPECT_NEAR(LidAngle(laptop.wireframe), *laptop.lid_deg, 0.1);
 }
 
 TEST(FurnitureRecipe, HasCoffeeAndHighTables) {
@@ -143,9 +147,6 @@ TEST(WriteRooms, LeavesNothingOfRoomsThatCannotBeDrawn) {
       Written(folder, "name: den\nroom: {width: 2, depth: 2}\nlayout:\n  - {group: meeting}\n");
   ExpectInputError([&] { WriteRooms(crowded, OwnFurniture(), {.count = 1}, folder / "out"); },
                    {"den.yaml", "room 0 of seed 1", "20 tries", "allow larger rooms"});
-  const Recipe wrong = Written(folder, std::string(kRoom) + "effects: {bluur_px: 1}\n");
-  ExpectInputError([&] { WriteRooms(wrong, OwnFurniture(), {.count = 2}, folder / "out"); },
-                   {"den.yaml", "no scene", "bluur_px", "blur_px"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
 }
 
@@ -174,6 +175,30 @@ TEST_F(BadRecipe, IsReportedWithItsLine) {
   ExpectError("mixture: [{recipe: den.yaml}]\n", 2, {"mixture itself"});
   ExpectError("mixture: []\n", 2, {"mixture"});
   ExpectError("mixture: []\nframes: 3\n", 3, {"frames"});
+}
+
+// What scenes would not allow is found in the recipe, not in a scene file that is never kept.
+TEST_F(BadRecipe, IsReportedWithTheLineOfASectionOfScenes) {
+  ExpectError("layout: []\neffects:\n  noise: 2\n  bluur_px: 1\n", 5, {"bluur_px", "blur_px"});
+  ExpectError("layout: []\neffects: {noise: 2,\n  blur_px: [-3, -1]}\n", 4, {"blur_px", "-"});
+  ExpectError("layout: []\nodometry:\n  scale: 1\n  lost: {share: [0, 0.1], secnds: 1}\n", 5,
+              {"secnds", "seconds"});
+  ExpectError("layout: []\n\ndetections: {setting: {choice: [simulated, netwrk]}}\n", 4, {"netwrk"});
+  ExpectError("layout: []\ndetections: {table: {missed: {normal: [3, 0.1]}}}\n", 3, {"missed"});
+}
+
+TEST(DrawRoom, DrawsTheValuesOfSectionsInSections) {
+  const TempFolder folder;
+  const Recipe recipe =
+      Written(folder, std::string(kRoom) +
+                          "odometry:\n  lost: {share: [0.05, 0.1], seconds: {choice: [2]}}\n"
+                          "detections: {setting: network, table: {spanning: [0.3, 0.4]}}\n");
+  const Scene scene = ReadScene(folder.Write("room.yaml", TextOf(recipe, 1, 0)), OwnFurniture().collection);
+  EXPECT_GE(scene.odometry.lost_share, 0.05);
+  EXPECT_LE(scene.odometry.lost_share, 0.1);
+  EXPECT_EQ(scene.odometry.lost_seconds, 2);
+  const Scene other = ReadScene(folder.Write("room.yaml", TextOf(recipe, 1, 1)), OwnFurniture().collection);
+  EXPECT_NE(other.odometry.lost_share, scene.odometry.lost_share);
 }
 
 TEST(ShippedRecipes, AreSound) {

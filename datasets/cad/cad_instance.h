@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct CadInstance {
   std::function<Mesh()> read_mesh;  // of collections on disk: read when it is needed, see Loaded()
   Wireframe wireframe;              // edges in the order of EdgeNames
   Eigen::Vector3d size{0, 0, 0};    // of the mesh's bounding box
+  std::optional<double> lid_deg;    // of a laptop that was opened differently from its model
   bool held_out = false;            // not to be learnt from: for sequences and retrieval queries
 };
 

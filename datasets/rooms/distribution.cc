@@ -167,6 +167,13 @@ Distribution Mixture(std::vector<Distribution> parts, std::vector<double> weight
   return distribution;
 }
 
+bool IsDistribution(const YamlMap& map) {
+  const std::vector<std::string> keys = map.Keys();
+  return keys.empty() || std::any_of(keys.begin(), keys.end(), [](const std::string& key) {
+           return key == "uniform" || key == "normal" || key == "choice" || key == "mixture";
+         });
+}
+
 Distribution ReadAny(const YamlMap& map, const std::string& key) {
   if (map.IsMap(key)) {
     const YamlMap form = map.Map(key);

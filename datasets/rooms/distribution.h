@@ -48,4 +48,7 @@ std::string DrawText(const Distribution& distribution, Random& random);
 
 double RoundDrawn(double value);
 
+// Whether the map says how a value is distributed, and is no section of keys.
+bool IsDistribution(const YamlMap& map);
+
 }  // namespace armature

@@ -35,12 +35,10 @@ std::uint64_t TrySeed(std::uint64_t room_seed, int attempt, RoomStream stream) {
 
 const Recipe& PickRecipe(const Recipe& recipe, std::uint64_t room_seed) {
   if (recipe.mixture.empty()) return recipe;
-  std::vector<double> weights;
-  for (const auto& [part, weight] : recipe.mixture) weights.push_back(weight);
-  std::vector<std::string> names(weights.size());
+  std::vector<std::string> names(recipe.mixture.size());
   for (size_t i = 0; i < names.size(); ++i) names[i] = std::to_string(i);
   Random random(StreamSeed(room_seed, kMixture));
-  return recipe.mixture[std::stoul(DrawWord(Choice(names, weights), random))].first;
+  return recipe.mixture[std::stoul(DrawWord(Choice(names, recipe.weights), random))];
 }
 
 void DrawHead(const Recipe& recipe, const RoomNumber& which, std::uint64_t seed, Scene* scene) {
@@ -61,18 +59,11 @@ void DrawHead(const Recipe& recipe, const RoomNumber& which, std::uint64_t seed,
   camera.cy = 0.5 * (camera.height - 1);
 }
 
-std::string SectionText(const std::string& name, const DrawnSection& section, Random& random) {
-  if (section.empty()) return "";
-  std::string text = name + ":\n";
-  for (const auto& [key, values] : section) text += fmt::format("  {}: {}\n", key, DrawText(values, random));
-  return text;
-}
-
 std::string DrawSections(const Recipe& recipe, std::uint64_t seed) {
   Random effects(StreamSeed(seed, 0)), odometry(StreamSeed(seed, 1)), detections(StreamSeed(seed, 2));
-  return SectionText("effects", recipe.effects, effects) +
-         SectionText("odometry", recipe.odometry, odometry) +
-         SectionText("detections", recipe.detections, detections);
+  return DrawSectionText("effects", recipe.effects, effects) +
+         DrawSectionText("odometry", recipe.odometry, odometry) +
+         DrawSectionText("detections", recipe.detections, detections);
 }
 
 std::vector<Eigen::Isometry3d> SomePoses(const Scene& scene, const CameraPath& path) {

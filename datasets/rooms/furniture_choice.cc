@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "category/normalise.h"
+#include "datasets/cad/lid.h"
 #include "datasets/cad/resized.h"
 
 namespace armature {
@@ -72,8 +73,9 @@ double MeasureOf(const Furniture& furniture, const CadInstance& instance) {
   return Measure(FindReference(furniture, instance.category), instance.wireframe);
 }
 
-CadInstance InDrawnSize(const Furniture& furniture, const CadInstance& instance, const FurnitureRecipe& sizes,
+CadInstance InDrawnSize(const Furniture& furniture, CadInstance instance, const FurnitureRecipe& sizes,
                         Random& random) {
+  if (instance.category == "laptop") instance = WithLid(instance, DrawNumber(sizes.lid_deg, random));
   const double measure = MeasureOf(furniture, instance);
   const double usual = FindReference(furniture, instance.category).metres;
   Eigen::Vector3d factors;

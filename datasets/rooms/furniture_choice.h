@@ -22,8 +22,8 @@ struct Furniture {
 CadInstance DrawInstance(const Furniture& furniture, const std::string& category,
                          const Eigen::Vector2d& at_most, Random& random);
 
-// In a size that is drawn from the recipe.
-CadInstance InDrawnSize(const Furniture& furniture, const CadInstance& instance, const FurnitureRecipe& sizes,
+// In a size, and a laptop opened, as drawn from the recipe.
+CadInstance InDrawnSize(const Furniture& furniture, CadInstance instance, const FurnitureRecipe& sizes,
                         Random& random);
 
 // The length that the category's scale is known by: a seat's height, a top's, a laptop's width; metres.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
 #include <regex>
 
 #include "base/enum_names.h"
@@ -10,6 +11,7 @@
 #include "base/text.h"
 #include "datasets/scene/distractors.h"
 #include "datasets/scene/scene_fields.h"
+#include "datasets/scene/scene_sections.h"
 
 namespace armature {
 
@@ -22,6 +24,8 @@ struct EnumNames<GroupRecipe::Kind> {
 };
 
 namespace {
+
+constexpr int kCheckedDraws = 32;
 
 // A key of a section: a distribution of numbers within the limits, or of the words.
 struct Field {
@@ -96,6 +100,7 @@ void ReadFurniture(const YamlMap& map, FurnitureRecipe* furniture) {
                     {"chair_size", &furniture->chair_size, 0.5, 2},
                     {"table_height", &furniture->table_height, 0.2, 1.6},
                     {"laptop_width", &furniture->laptop_width, 0.1, 0.8},
+                    {"lid_deg", &furniture->lid_deg, 30, 170},
                     {"alike", &furniture->alike, 0, 1}});
 }
 
@@ -111,11 +116,13 @@ void ReadPathRecipe(const YamlMap& map, PathRecipe* path) {
                     {"overlap", &path->overlap, 0, 2}});
 }
 
-// The keys are those of scenes; what is wrong with them shows when a scene is read.
-DrawnSection ReadDrawn(const YamlMap& file, const std::string& key) {
-  DrawnSection section;
-  const YamlMap map = file.MapOrEmpty(key);
-  for (const std::string& name : map.Keys()) section.emplace_back(name, ReadAny(map, name));
+// The keys are those of scenes, which a reader of scenes knows: it sees some draws.
+template <typename Reader>
+DrawnSection ReadCheckedSection(const YamlMap& map, const Recipe& recipe, const std::string& name,
+                                const Reader& read) {
+  const DrawnSection section = ReadDrawnSection(map.MapOrEmpty(name));
+  Random random(1);
+  for (int i = 0; i < kCheckedDraws; ++i) read(DrawnWithLinesKept(recipe.file, name, section, random));
   return section;
 }
 
@@ -132,11 +139,11 @@ void ReadMixture(const YamlMap& map, Recipe* recipe) {
                                         Quoted(part.Text("recipe")), file.string())));
     if (YamlMap::Load(file).Has("mixture"))
       throw InputError(part.At("recipe", "is a mixture itself; name the recipes that it is of"));
-    recipe->mixture.emplace_back(ReadRecipe(file), weight);
+    recipe->mixture.push_back(ReadRecipe(file));
+    recipe->weights.push_back(weight);
   }
-  double sum = 0;
-  for (const auto& [part, weight] : recipe->mixture) sum += weight;
-  if (sum <= 0) throw InputError(map.At("mixture", "has no recipe of a weight above 0; add one"));
+  if (std::accumulate(recipe->weights.begin(), recipe->weights.end(), 0.0) <= 0)
+    throw InputError(map.At("mixture", "has no recipe of a weight above 0; add one"));
 }
 
 }  // namespace
@@ -164,9 +171,9 @@ Recipe ReadRecipe(const std::filesystem::path& file) {
                                               {"shape", &recipe.distractors.shape, 0, 0, DistractorShapes()},
                                               {"hiding", &recipe.distractors.hiding, 0, 1}});
   ReadPathRecipe(map.MapOrEmpty("path"), &recipe.path);
-  recipe.effects = ReadDrawn(map, "effects");
-  recipe.odometry = ReadDrawn(map, "odometry");
-  recipe.detections = ReadDrawn(map, "detections");
+  recipe.effects = ReadCheckedSection(map, recipe, "effects", ReadEffects);
+  recipe.odometry = ReadCheckedSection(map, recipe, "odometry", ReadOdometryNoise);
+  recipe.detections = ReadCheckedSection(map, recipe, "detections", ReadDetectorNoise);
   return recipe;
 }
 

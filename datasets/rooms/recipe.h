@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "datasets/rooms/distribution.h"
+#include "datasets/rooms/drawn_section.h"
 
 namespace armature {
 
@@ -44,7 +44,7 @@ struct FurnitureRecipe {
   Distribution table_height = Mixture(
       {Normal(0.74, 0.025, 0.66, 0.82), Normal(0.45, 0.06, 0.3, 0.58), Normal(1.05, 0.05, 0.92, 1.18)},
       {17, 2, 1});
-  Distribution laptop_width = Uniform(0.29, 0.40);
+  Distribution laptop_width = Uniform(0.29, 0.40), lid_deg = Uniform(85, 130);
   Distribution alike = Constant(0.75);  // how likely chairs of a table are of one model
 };
 
@@ -66,13 +66,11 @@ struct PathRecipe {
   Distribution overlap = Uniform(0.05, 0.2);  // of loop and turn
 };
 
-// A section of scenes whose values are drawn one by one.
-using DrawnSection = std::vector<std::pair<std::string, Distribution>>;
-
 struct Recipe {
   std::filesystem::path file;
   std::string name, about;
-  std::vector<std::pair<Recipe, double>> mixture;  // others, each with its weight; then nothing below counts
+  std::vector<Recipe> mixture;  // others; then nothing below counts
+  std::vector<double> weights;  // of the mixture, add up to more than 0
 
   Distribution frames = Constant(60), fps = Choice({"3", "4", "5", "6"});
   double light_grid = 0.05;

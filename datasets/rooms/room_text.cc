@@ -67,9 +67,10 @@ std::string ThingsText(const DrawnRoom& room) {
   for (size_t i = 0; i < room.scene.objects.size(); ++i) {
     const SceneObject& object = room.scene.objects[i];
     const CadInstance& instance = object.instance;
-    text += fmt::format("  - {{id: {}, category: {}, collection: {}, instance: {}, size: {}, {}}}\n",
-                        object.id, instance.category, instance.collection, instance.id, Triple(instance.size),
-                        PlaceText(room.objects[i]));
+    const std::string lid = instance.lid_deg ? fmt::format("lid_deg: {}, ", *instance.lid_deg) : "";
+    text += fmt::format("  - {{id: {}, category: {}, collection: {}, instance: {}, {}size: {}, {}}}\n",
+                        object.id, instance.category, instance.collection, instance.id, lid,
+                        Triple(instance.size), PlaceText(room.objects[i]));
   }
   text += room.scene.clutter.empty() ? "" : "clutter:\n";
   for (size_t i = 0; i < room.scene.clutter.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "datasets/cad/lid.h"
 #include "datasets/cad/resized.h"
 #include "datasets/scene/instance_choice.h"
 #include "datasets/scene/placing.h"
@@ -22,6 +23,17 @@ void CheckIsNew(const YamlMap& map, const std::string& id, const std::vector<Sce
     if (object.id != id) continue;
     throw InputError(map.At("id", fmt::format("{} is given twice; choose another", Quoted(id))));
   }
+}
+
+// The instance, opened as `lid_deg` says.
+CadInstance Opened(const YamlMap& map, const CadInstance& instance) {
+  if (!map.Has("lid_deg")) return instance;
+  if (instance.category != "laptop")
+    throw InputError(
+        map.At("lid_deg", fmt::format("is of laptops; leave it out for a {}", instance.category)));
+  double degrees = 0;
+  ReadField(map, Option("lid_deg", &degrees, "", 30, 170));
+  return WithLid(instance, degrees);
 }
 
 // The instance in the size that `scale` or `size` ask for; as it is without them.
@@ -42,13 +54,13 @@ std::vector<SceneObject> ReadObjects(const YamlMap& file, const Scene& scene,
   std::vector<SceneObject> objects;
   std::vector<NamedSolid> solids;
   for (const YamlMap& map : MapsIfAny(file, "objects")) {
-    map.CheckKeys({"id", "category", "collection", "instance", "at_most", "scale", "size", "position",
-                   "yaw_deg", "on"});
+    map.CheckKeys({"id", "category", "collection", "instance", "at_most", "lid_deg", "scale", "size",
+                   "position", "yaw_deg", "on"});
     SceneObject object;
     object.id = ReadName(map, "id");
     CheckIsNew(map, object.id, objects);
     Random random = MakeRandom(scene.seed, objects.size());
-    object.instance = InItsSize(map, Loaded(ChosenInstance(map, collection, objects, random)));
+    object.instance = InItsSize(map, Opened(map, Loaded(ChosenInstance(map, collection, objects, random))));
     const Place place = ReadPlace(map, objects);
     object.T_world_object = StandingOn(place.T_world_place, object.instance);
     const NamedSolid solid{object.id, MakeSolid(object.instance.mesh, object.T_world_object)};

@@ -14,8 +14,9 @@
 
 namespace armature {
 
-YamlMap YamlMap::Load(const std::filesystem::path& file) {
-  const std::string content = ReadTextFile(file);
+YamlMap YamlMap::Load(const std::filesystem::path& file) { return Parse(ReadTextFile(file), file); }
+
+YamlMap YamlMap::Parse(const std::string& content, const std::filesystem::path& file) {
   CheckYaml(content, file);
   return YamlMap(file, YAML::Load(content), "");
 }
@@ -58,12 +59,16 @@ bool YamlMap::Has(const std::string& key) const {
 
 std::string YamlMap::FullKey(const std::string& key) const { return prefix_ + key; }
 
-std::string YamlMap::Where(const std::string& key) const {
+int YamlMap::Line(const std::string& key) const {
   int line = node_.Mark().line;
   for (const auto& pair : node_) {
     if (pair.first.IsScalar() && pair.first.Scalar() == key) line = pair.first.Mark().line;
   }
-  return fmt::format("{}:{}", file_.string(), std::max(line, 0) + 1);
+  return std::max(line, 0) + 1;
+}
+
+std::string YamlMap::Where(const std::string& key) const {
+  return fmt::format("{}:{}", file_.string(), Line(key));
 }
 
 std::string YamlMap::At(const std::string& key, const std::string& message) const {

@@ -16,6 +16,8 @@ class YamlMap {
  public:
   // Reads the file, whose top level has to be a map; an empty file is an empty map.
   static YamlMap Load(const std::filesystem::path& file);
+  // The same of its content; messages name the file.
+  static YamlMap Parse(const std::string& content, const std::filesystem::path& file);
 
   bool Has(const std::string& key) const;
   double Number(const std::string& key) const;  // finite
@@ -39,6 +41,8 @@ class YamlMap {
   std::string At(const std::string& key, const std::string& message) const;
   // The same without the key's name in the message.
   std::string Where(const std::string& key) const;
+  // That line, from 1.
+  int Line(const std::string& key) const;
 
  private:
   YamlMap(std::filesystem::path file, const YAML::Node& node, std::string prefix);
