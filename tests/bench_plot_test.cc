@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "drawing/plots/gnuplot.h"
 #include "drawing/plots/plot.h"
 #include "drawing/plots/stacked_bars.h"
+#include "drawing/plots/strips.h"
 #include "support/expect_input_error.h"
 #include "support/path_override.h"
 #include "support/temp_folder.h"
@@ -32,6 +35,27 @@ StackedBars SampleBars() {
   bars.stages = {"detection", "association"};
   bars.bars = {{"lines", {5, 3.3}}, {"keypoints", {855, 0}}};
   return bars;
+}
+
+size_t CountIn(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(Strips, HaveAPointAValueThatIsAboveZero) {
+  const Strips strips{
+      "Errors <of> rooms", "metres", {{"default", {0.1, 0.2, 0.4, 0}}, {"no_floor", {0.3, -1}}}};
+  const std::string svg = DrawSvg(strips);
+  EXPECT_EQ(CountIn(svg, "<use xlink:href='#gpPt6'"), 4U) << svg;
+  for (const char* text : {"Errors &lt;of> rooms", "metres", "default", "no_floor"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
+TEST(Strips, KeepTheNameOfOneWithoutValues) {
+  const std::string svg = DrawSvg(Strips{"t", "m", {{"default", {0.1}}, {"none_found", {}}}});
+  EXPECT_NE(svg.find("none_found"), std::string::npos);
+  EXPECT_THROW(DrawSvg(Strips{"t", "m", {{"none_found", {0}}}}), std::logic_error);
 }
 
 TEST(Plot, WritesWhatItIsToldLiterally) {

@@ -129,8 +129,15 @@ TEST(ThirdsTest, SplitByTheCircumstance) {
 }
 
 TEST(ThirdsTest, EqualValuesStayTogether) {
-  const Thirds thirds = SplitByThirds({{0, 5, 0}, {1, 1, 0}, {1, 2, 0}, {1, 3, 0}}).value();
+  // Three of four have 1: the two kinds are two groups, whatever a third of four is.
+  const Thirds thirds = SplitByThirds({{1, 1, 0}, {0, 5, 0}, {1, 2, 0}, {1, 3, 0}}).value();
+  EXPECT_EQ(thirds.medians[0], 5);
+  EXPECT_EQ(thirds.medians[1], 2);
   EXPECT_FALSE(thirds.medians[2]);
+  // Nine of ten have 1, and still the one that has not is a group.
+  std::vector<PairInRoom> pairs(9, {1, 3, 0});
+  pairs.push_back({0, 7, 0});
+  EXPECT_EQ(SplitByThirds(pairs)->medians[0], 7);
   EXPECT_FALSE(SplitByThirds({}));
 }
 

@@ -128,9 +128,7 @@ TEST(RoomFactorsTest, WhatGrowsWithTheErrorIsCorrelatedWithIt) {
   EXPECT_EQ(distance[2].text, "24");
   EXPECT_EQ(distance[3].text, "1.00");
   EXPECT_EQ(distance[4].text, "1.00");
-  const auto& hidden = table.rows.at(3);
-  EXPECT_EQ(hidden[0].text, "hidden share");
-  EXPECT_EQ(hidden[3].text, "") << "not known of any object";
+  EXPECT_EQ(table.rows.size(), 1U) << "what is the same everywhere, or not known of any object, has no row";
 }
 
 TEST(RoomFactorsTest, MissedObjectsAreCountedByThirds) {

@@ -33,6 +33,22 @@ EvaluationRecords OneOfEach() {
   return records;
 }
 
+EvaluationRecords WithDetectionsAndRooms() {
+  EvaluationRecords records = OneOfEach();
+  records.detections = {{.sequence = "den", .category = "table", .true_boxes = 7, .recall_share = 0.25}};
+  records.rooms = {{.run = "a", .statistic = "found_share", .rooms = 40, .value = 0.5, .low = 0.4}};
+  records.room_differences = {{.statistic = "scale_error_share",
+                               .run_a = "a",
+                               .run_b = "b",
+                               .rooms = 40,
+                               .difference = -0.125,
+                               .mark = "lower",
+                               .rooms_to_show_a_tenth = 90}};
+  records.room_errors = {{"a", {0.1, 1.0 / 3}, 2}};
+  records.worst_rooms = {{"a", "den-007", "rooms/den-007", 0.75}};
+  return records;
+}
+
 class EvaluationRecordsFile : public ::testing::Test {
  protected:
   EvaluationRecordsFile() : json_(nlohmann::ordered_json::parse(EvaluationRecordsJson(OneOfEach()))) {}
@@ -58,6 +74,22 @@ TEST_F(EvaluationRecordsFile, ComesBackWithEveryDigit) {
   EXPECT_EQ(records.trajectories.at(0).alignment, AlignmentKind::kEndPoints);
   EXPECT_EQ(records.objects.at(0).approach, Approach::kObjectsNoLoopClosure);
   EXPECT_FALSE(records.retrieval.at(0).sequence);
+}
+
+TEST_F(EvaluationRecordsFile, ComesBackWithListsThatOnlySomeHave) {
+  for (const char* list : {"detections", "rooms", "room_differences", "room_errors", "worst_rooms"})
+    EXPECT_FALSE(json_.contains(list)) << list;
+  const std::string written = EvaluationRecordsJson(WithDetectionsAndRooms());
+  json_ = nlohmann::ordered_json::parse(written);
+  const EvaluationRecords records = Read();
+  EXPECT_EQ(EvaluationRecordsJson(records), written);
+  EXPECT_EQ(records.detections.at(0).recall_share, 0.25);
+  EXPECT_FALSE(records.rooms.at(0).high);
+  EXPECT_EQ(records.room_differences.at(0).rooms_to_show_a_tenth, 90);
+  EXPECT_EQ(records.room_errors.at(0).object_errors_m, (std::vector<double>{0.1, 1.0 / 3}));
+  EXPECT_EQ(records.worst_rooms.at(0).error_m, 0.75);
+  json_["rooms"][0].erase("low");
+  ExpectRefusedRecords({"rooms[0]", "'low'"});
 }
 
 TEST_F(EvaluationRecordsFile, HasUnitsInItsKeysAndNullForWhatIsNotKnown) {

@@ -266,6 +266,21 @@ TEST_F(ReproduceMatrix, VariantsByNameAreItsOwnPresetsAndAblations) {
   ExpectInputError([&] { SelectVariants({"odometry"}, configs, small); }, {"odometry", "objects"});
 }
 
+TEST_F(ReproduceMatrix, EachVariantRunsWithOtherDetectionsToo) {
+  std::filesystem::create_directories(folder_ / "network");
+  Matrix matrix = Read(kSmall);
+  const Names before = NamesOfVariants(matrix);
+  AddDetections({folder_ / "network/"}, matrix);
+  Names all = before;
+  for (const std::string& name : RunVariants(Read(kSmall))) all.push_back(name + "-network");
+  EXPECT_EQ(NamesOfVariants(matrix), all);
+  EXPECT_EQ(matrix.variants.back().detections, folder_ / "network");
+  EXPECT_TRUE(matrix.variants.front().detections.empty());
+  ExpectInputError([&] { AddDetections({folder_ / "absent"}, matrix); },
+                   {"--detections", "absent", "<sequence>.csv"});
+  ExpectInputError([&] { AddDetections({folder_ / "network"}, matrix); }, {"--detections", "rename"});
+}
+
 TEST_F(ReproduceMatrix, DetectionsOfAVariantAreAFolderBesideTheFile) {
   std::filesystem::create_directories(folder_ / "network");
   const Matrix matrix = ReadWith("preset: paper}", "detections: network}");

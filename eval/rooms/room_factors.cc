@@ -86,6 +86,12 @@ FactorPairs PairRooms(const RoomVariant& variant, const FactorOfRoom& factor) {
   return pairs;
 }
 
+// What is the same everywhere goes with nothing.
+bool Varies(const std::vector<PairInRoom>& pairs) {
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const PairInRoom& pair) { return pair.x != pairs.front().x; });
+}
+
 std::vector<Cell> FactorRow(const std::string& name, const std::string& unit, int digits,
                             const FactorPairs& pairs, const RoomBootstrap& bootstrap) {
   const RankCorrelation correlation(pairs.errors);
@@ -94,12 +100,11 @@ std::vector<Cell> FactorRow(const std::string& name, const std::string& unit, in
                         NumberCell(correlation.Of(bootstrap.Once()), 2)};
   row.push_back(interval ? NumberCell(interval->low, 2) : NoCell());
   row.push_back(interval ? NumberCell(interval->high, 2) : NoCell());
-  const Thirds missed = SplitByThirds(pairs.missed).value_or(Thirds{});
+  const Thirds missed = SplitByThirds(pairs.missed).value();
   std::array<std::vector<double>, 3> errors;
   for (const PairInRoom& pair : pairs.errors)
     errors[pair.x <= missed.bounds[0] ? 0 : pair.x <= missed.bounds[1] ? 1 : 2].push_back(pair.y);
-  for (const double bound : missed.bounds)
-    row.push_back(pairs.missed.empty() ? NoCell() : NumberCell(bound, digits));
+  for (const double bound : missed.bounds) row.push_back(NumberCell(bound, digits));
   for (const auto& third : errors) row.push_back(third.empty() ? NoCell() : NumberCell(Median(third), 3));
   for (const auto& mean : missed.means) row.push_back(mean ? NumberCell(100 * *mean, 0) : NoCell());
   return row;
@@ -132,18 +137,21 @@ Table RoomFactorTable(const RoomVariant& variant) {
               .notes = {},
               .name = "room_factors"};
   const RoomBootstrap bootstrap(variant.rooms.size());
+  const auto add = [&](const char* name, const char* unit, int digits, const FactorPairs& pairs) {
+    if (Varies(pairs.missed)) table.rows.push_back(FactorRow(name, unit, digits, pairs, bootstrap));
+  };
   for (const FactorOfObject& factor : kObjectFactors)
-    table.rows.push_back(
-        FactorRow(factor.name, "objects", factor.digits, PairObjects(variant, factor), bootstrap));
+    add(factor.name, "objects", factor.digits, PairObjects(variant, factor));
   for (const FactorOfRoom& factor : kRoomFactors)
-    table.rows.push_back(
-        FactorRow(factor.name, "rooms", factor.digits, PairRooms(variant, factor), bootstrap));
+    add(factor.name, "rooms", factor.digits, PairRooms(variant, factor));
   table.notes = {
       "rank correlation: Spearman's, of the circumstance with the centre's error of the found objects, or "
       "with the "
       "mean error of the rooms; from, to: 95 % interval (bootstrap over rooms). Thirds are of all objects "
       "that could "
-      "be seen; equal ones stay together, so that a third may be empty. It says what goes together, not why.",
+      "be seen; equal ones stay together, so that thirds may differ and one be empty; of yes (1) and no (0), "
+      "no is the "
+      "first. It says what goes together, not why.",
       "distance: median over the views; views: images in which it was detected; parallax: between the two "
       "rays that "
       "are furthest apart; hidden share: of its edges in the views; ever whole: its box inside some view's "

@@ -59,11 +59,29 @@ std::optional<double> RankCorrelation::Of(const RoomCounts& counts) const {
   return xy / std::sqrt(xx * yy);
 }
 
+namespace {
+
+// Of the values the one up to which the share of them is nearest; of growing values.
+double NearestBound(const std::vector<double>& values, double share) {
+  const double wanted = share * static_cast<double>(values.size());
+  double bound = values.back(), nearest = HUGE_VAL;
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
+    const double off = std::abs(static_cast<double>(i + 1) - wanted);
+    if (off < nearest) bound = values[i];
+    nearest = std::min(nearest, off);
+  }
+  return bound;
+}
+
+}  // namespace
+
 std::optional<Thirds> SplitByThirds(const std::vector<PairInRoom>& pairs) {
   if (pairs.empty()) return std::nullopt;
   std::vector<double> x;
   for (const PairInRoom& pair : pairs) x.push_back(pair.x);
-  Thirds thirds{.bounds = {*Quantile(x, 1.0 / 3), *Quantile(x, 2.0 / 3)}};
+  std::sort(x.begin(), x.end());
+  Thirds thirds{.bounds = {NearestBound(x, 1.0 / 3), NearestBound(x, 2.0 / 3)}};
   std::array<std::vector<double>, 3> y;
   for (const PairInRoom& pair : pairs)
     y[pair.x <= thirds.bounds[0] ? 0 : pair.x <= thirds.bounds[1] ? 1 : 2].push_back(pair.y);

@@ -33,8 +33,8 @@ class RankCorrelation {
   std::vector<size_t> by_x_, by_y_;  // positions of the pairs by growing value
 };
 
-// The pairs with x up to its first third, up to its second, and above; equal x stay together, so a third can
-// be empty.
+// The pairs with x up to its first third, up to its second, and above, as nearly as it goes: equal x stay
+// together, so that thirds differ in number and one can be empty.
 struct Thirds {
   std::array<double, 2> bounds{};                  // of x
   std::array<std::optional<double>, 3> medians{};  // of y

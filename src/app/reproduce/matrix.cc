@@ -184,6 +184,28 @@ void SelectVariants(const std::vector<std::string>& names, const fs::path& confi
                 [&](const std::string& name) { return !IsAmong(RunVariants(matrix), name); });
 }
 
+void AddDetections(const std::vector<fs::path>& folders, Matrix& matrix) {
+  const std::vector<Variant> without = matrix.variants;
+  for (const fs::path& given : folders) {
+    if (!fs::is_directory(given))
+      throw InputError(fmt::format("--detections: {} is no folder; name one that has <sequence>.csv each",
+                                   given.string()));
+    fs::path folder = fs::absolute(given).lexically_normal();
+    if (!folder.has_filename()) folder = folder.parent_path();
+    const std::string of = folder.filename().string();
+    for (Variant variant : without) {
+      if (!variant.IsRun() || !variant.detections.empty()) continue;
+      variant.name += "-" + of;
+      variant.about += ", " + of;
+      variant.detections = folder;
+      if (IsAmong(VariantNames(matrix), variant.name))
+        throw InputError(
+            fmt::format("--detections: two variants would be '{}'; rename the folder", variant.name));
+      matrix.variants.push_back(std::move(variant));
+    }
+  }
+}
+
 void CheckNamesDiffer(const Matrix& matrix) {
   std::map<std::string, std::string> where;
   for (const MatrixSequence& sequence : ListSequences(matrix)) {

@@ -93,6 +93,10 @@ void ReplaceByRooms(const RoomSet& rooms, Matrix& matrix);
 void SelectVariants(const std::vector<std::string>& names, const std::filesystem::path& configs,
                     Matrix& matrix);
 
+// Each variant with these boxes, too, folders of <name>.csv: as variants named VARIANT-FOLDER after the
+// others. Throws InputError: no such folder, or two variants of one name.
+void AddDetections(const std::vector<std::filesystem::path>& folders, Matrix& matrix);
+
 // Folders are told apart by their names, results by the names in sequence.yaml. Throws InputError where two
 // sequences have one name there.
 void CheckNamesDiffer(const Matrix& matrix);

@@ -66,6 +66,7 @@ Matrix LoadMatrix(const ReproduceArguments& a) {
     matrix.name = matrix.rooms->name + "-" + matrix.rooms->split;
   }
   if (!a.variants.empty()) SelectVariants(a.variants, ConfigsFolder(a.configs), matrix);
+  AddDetections(a.detections, matrix);
   if (a.jitter > 0) matrix.jitter = a.jitter;
   if (!a.categories.empty()) {
     matrix.categories.clear();
@@ -240,7 +241,9 @@ CommandHelp ReproduceHelp() {
                    {"six variants in 40 rooms",
                     "armature reproduce --rooms configs/rooms/mixed.yaml --count 40 --variants "
                     "default,fast,no_viewpoint_prior,no_floor,no_refinement,no_loop_closure"},
-                   {"a sequence of your own", "armature reproduce my_sequence --name mine"}}};
+                   {"a sequence of your own", "armature reproduce my_sequence --name mine"},
+                   {"several, with their own boxes and with those of a detector",
+                    "armature reproduce office kitchen --variants default --detections yolo --name mine"}}};
 }
 
 }  // namespace
@@ -308,6 +311,11 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
           "others are compared with")
       ->type_name("NAME")
       ->delimiter(',')
+      ->allow_extra_args(false);
+  reproduce
+      ->add_option("--detections", a.detections,
+                   "run all of these with the boxes of another detector, too, DIR/<sequence>.csv; repeatable")
+      ->type_name("DIR")
       ->allow_extra_args(false);
   reproduce
       ->add_option(

@@ -25,6 +25,7 @@ struct ReproduceArguments {
   std::filesystem::path out = "results";           // gets a folder of the matrix's name
   std::string name;                                // empty: the matrix's
   std::filesystem::path data;                      // empty: the matrix's
+  std::vector<std::filesystem::path> detections;   // folders of <sequence>.csv, see AddDetections
   std::vector<std::string> only;                   // sequences, variants, timings; empty: all
   bool fast = false;
   int seeds = 0;                  // 0: the matrix's
