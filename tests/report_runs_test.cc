@@ -149,6 +149,23 @@ TEST_F(ReportOfTrueWorld, RetrievedModelsAreNamed) {
   ExpectInputError([&] { CollectReport(sources_); }, {"retrieval.csv:2", "ranks"});
 }
 
+TEST_F(ReportOfTrueWorld, ManyRoomsAreSummedUpAndTheWorstShown) {
+  sources_.tables = {
+      {.title = "Variants over rooms", .columns = {"variant"}, .rows = {}, .notes = {}, .name = "rooms"}};
+  sources_.records.rooms = {{.run = "mine", .statistic = "found_share", .rooms = 40}};
+  sources_.records.worst_rooms = {{.run = "mine", .sequence = "world", .folder = "mine", .error_m = 1}};
+  sources_.records.room_errors = {{"mine", {0.1, 0.2}, 1}};
+  const ReportData data = CollectReport(sources_);
+  ASSERT_FALSE(data.tables.empty());
+  EXPECT_EQ(data.tables[0].section, ReportSection::kOverview);
+  EXPECT_EQ(data.distributions.size(), 1u);
+  const auto is_told = [](const std::string& remark) {
+    return remark.find("40 rooms") != std::string::npos &&
+           remark.find("the 1 in which 'mine'") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(data.remarks.begin(), data.remarks.end(), is_told));
+}
+
 TEST_F(ReportOfTrueWorld, AMapWithoutObjectsIsNotShown) {
   for (const char* file : {"mine/objects.csv", "mine/objects_odometry.csv"})
     world_.folder.Write(file, MapText({}));

@@ -161,9 +161,7 @@ std::string TimingHtml(const ReportData& data) {
   return PlotsHtml(data.stages) + PlotsHtml(data.curves) + TablesHtml(data, ReportSection::kTiming);
 }
 
-std::string AccuracyHtml(const ReportData& data) {
-  return PlotsHtml(data.distributions) + TablesHtml(data, ReportSection::kAccuracy);
-}
+std::string AccuracyHtml(const ReportData& data) { return TablesHtml(data, ReportSection::kAccuracy); }
 
 std::string AblationHtml(const ReportData& data) {
   return PlotsHtml(data.ablations) + TablesHtml(data, ReportSection::kAblation);
@@ -185,8 +183,8 @@ std::string EnvironmentHtml(const ReportData& data) {
 }  // namespace
 
 std::vector<PageSection> ReportSections(const ReportData& data) {
-  const std::string overview =
-      RemarksHtml(data.remarks) + HeadlineHtml(data.headline) + TablesHtml(data, ReportSection::kOverview);
+  const std::string overview = RemarksHtml(data.remarks) + HeadlineHtml(data.headline) +
+                               PlotsHtml(data.distributions) + TablesHtml(data, ReportSection::kOverview);
   std::vector<PageSection> sections = {
       {"summary", "Summary", overview},
       {"maps", "Maps from above", MapsHtml(data)},

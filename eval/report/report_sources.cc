@@ -2,6 +2,7 @@
 #include "eval/report/report_sources.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -29,13 +30,14 @@ void AddAll(std::vector<T> more, std::vector<T>& all) {
 
 // Of a table of `armature eval`, by its name.
 ReportSection FindSection(const std::string& table) {
+  if (table == "rooms") return ReportSection::kOverview;
   if (table == "normal") return ReportSection::kAblation;
   for (const char* name : {"retrieval", "retrieval_variants", "each_query", "library"}) {
     if (table == name) return ReportSection::kRetrieval;
   }
   for (const char* name :
-       {"rooms", "room_differences", "stability", "worst_rooms", "room_factors", "room_groups", "paper",
-        "objects", "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
+       {"room_differences", "stability", "worst_rooms", "room_factors", "room_groups", "paper", "objects",
+        "each_object", "trajectory", "observations", "observations_ok", "edges"}) {
     if (table == name) return ReportSection::kAccuracy;
   }
   return ReportSection::kFurther;
@@ -87,13 +89,33 @@ void AddSequence(const SequenceRuns& sequence, const ReportSources& sources, Rep
   }
   AddAll(MakeOverlayFrames(sequence, sources.models, data.remarks), data.overlays);
   std::vector<RetrievalStrip> strips = MakeRetrievalStrips(sequence, sources.library, data.remarks);
-  if (strips.empty() && sequence.runs.front().map)
-    data.remarks.push_back(
-        fmt::format("{}: no CAD models were retrieved for the run '{}'; see `armature retrieve`",
-                    sequence.name, sequence.runs.front().name));
   AddAll(std::move(strips), data.strips);
   if (auto scene = MakeSceneView(sequence, sources.models, sources.library, data.remarks))
     data.scenes.push_back(std::move(*scene));
+}
+
+// Of the first run of each sequence, which is the one that is shown.
+void RemarkOnRetrieval(const std::vector<SequenceRuns>& sequences, ReportData& data) {
+  std::vector<std::string> without;
+  for (const SequenceRuns& sequence : sequences) {
+    const bool has_models =
+        std::any_of(data.strips.begin(), data.strips.end(),
+                    [&](const RetrievalStrip& strip) { return strip.sequence == sequence.name; });
+    if (!has_models && sequence.runs.front().map) without.push_back(sequence.name);
+  }
+  if (!without.empty())
+    data.remarks.push_back(fmt::format("No CAD models were retrieved for {}; see `armature retrieve`",
+                                       fmt::join(without, ", ")));
+}
+
+// The maps of rooms are of the worst ones: many rooms are no page.
+void RemarkOnRooms(const EvaluationRecords& records, size_t shown, ReportData& data) {
+  long rooms = 0;
+  for (const RoomStatisticRecord& record : records.rooms) rooms = std::max(rooms, record.rooms);
+  if (rooms > static_cast<long>(shown) && !records.worst_rooms.empty())
+    data.remarks.push_back(
+        fmt::format("Tables are of {} rooms; maps and pictures of the {} in which '{}' did worst", rooms,
+                    shown, records.worst_rooms.front().run));
 }
 
 // Each once, in their order.
@@ -112,8 +134,10 @@ ReportData CollectReport(const ReportSources& sources) {
     MergeEnvironment(RunEnvironment(run.folder), data.environment);
   AddBenches(sources, data);
   AddAll(RetrievalFigures(sources.records), data.headline);
-  for (const SequenceRuns& sequence : LoadSequenceRuns(sources, data.remarks))
-    AddSequence(sequence, sources, data);
+  const std::vector<SequenceRuns> sequences = LoadSequenceRuns(sources, data.remarks);
+  RemarkOnRooms(sources.records, sequences.size(), data);
+  for (const SequenceRuns& sequence : sequences) AddSequence(sequence, sources, data);
+  RemarkOnRetrieval(sequences, data);
   if (!data.strips.empty() && sources.library.categories.empty())
     data.remarks.push_back("Retrieved CAD models are not drawn: no library is given; name it with --library");
   RemoveRepeated(data.remarks);
