@@ -216,10 +216,13 @@ TEST_F(ReproduceRooms, AreSequencesByNumber) {
   EXPECT_EQ(rooms[2].folder.filename(), "mixed-check-002");
   EXPECT_EQ(rooms[2].folder.parent_path().filename(), "rooms");
   EXPECT_EQ(NameRoom({.name = "mixed", .split = "5"}, 1234), "mixed-5-1234");
+  const Matrix furnished = ReadRooms("recipe: mixed.yaml, collections: [a/cad, b/], lines_only: true");
+  EXPECT_EQ(ListSequences(furnished)[2].folder.parent_path().filename(), "rooms-cad-b-lines")
+      << "rooms of one name, other furniture";
 }
 
 TEST_F(ReproduceRooms, TheEffectiveOneIsReadAsTheSame) {
-  for (const std::string which : {"split: check", "seed: 9"}) {
+  for (const std::string which : {"split: check", "seed: 9, lines_only: true"}) {
     const Matrix matrix =
         ReadRooms("recipe: mixed.yaml, count: 3, collections: [cad], " + which, "jitter: 2\n");
     EXPECT_EQ(matrix.jitter, 2);

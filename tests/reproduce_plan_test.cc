@@ -143,11 +143,11 @@ TEST(ReproducePlan, RoomsAreMadeOneByOneAndThenRun) {
   EXPECT_EQ(
       CallOf(room),
       "armature generate --rooms ../../c/rooms/mixed.yaml --count 1 --first 1 --split development --out "
-      "../../data/rooms --collection ../../cad");
+      "../../data/rooms-cad --collection ../../cad");
   EXPECT_TRUE(room.always) << "generate looks for itself what is there";
   const Job& run = Named("runs/fast/mixed-development-001", jobs);
   EXPECT_EQ(CallOf(run),
-            "armature run ../../data/rooms/mixed-development-001 --out runs/fast/mixed-development-001 "
+            "armature run ../../data/rooms-cad/mixed-development-001 --out runs/fast/mixed-development-001 "
             "--preset fast "
             "--detections ../../network/mixed-development-001.csv");
   EXPECT_EQ(run.after, std::vector<std::string>{"rooms/mixed-development-001"});
@@ -156,15 +156,17 @@ TEST(ReproducePlan, RoomsAreMadeOneByOneAndThenRun) {
 TEST(ReproducePlan, RoomsOfASeedAreCalledByIt) {
   Matrix matrix = RoomMatrix();
   matrix.rooms->split = "17";
-  EXPECT_NE(CallOf(Named("rooms/mixed-17-000", PlanRuns(matrix, kFolders))).find("--first 0 --seed 17"),
-            std::string::npos);
+  matrix.rooms->lines_only = true;
+  const std::string call = CallOf(Named("rooms/mixed-17-000", PlanRuns(matrix, kFolders)));
+  EXPECT_NE(call.find("--first 0 --seed 17"), std::string::npos) << call;
+  EXPECT_NE(call.find("data/rooms-cad-lines --collection ../../cad --lines-only"), std::string::npos) << call;
 }
 
 TEST(ReproducePlan, RepeatsAreRunsOfTheirOwn) {
   const Job repeat = Named("jitter/default-1/mixed-development-000", PlanRuns(RoomMatrix(), kFolders));
   EXPECT_EQ(
       CallOf(repeat),
-      "armature run ../../data/rooms/mixed-development-000 --out jitter/default-1/mixed-development-000 "
+      "armature run ../../data/rooms-cad/mixed-development-000 --out jitter/default-1/mixed-development-000 "
       "--preset default --jitter 1");
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
+#include "datasets/simulation/visible_objects.h"
 #include "geometry/random.h"
 #include "geometry/rotation.h"
 
@@ -15,6 +17,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kNearDepth = 0.1;  // metres before the camera
+constexpr int kPixelStep = 2;       // between two pixels whose object is looked for
 constexpr double kRayStep = 5;      // pixels between two points of a line that are looked at
 constexpr double kInFront = 0.01;   // metres that they are moved towards the camera, off their own surface
 
@@ -111,11 +114,32 @@ bool IsFound(double length, double contrast, const SegmentNoise& noise, Random& 
 }
 
 bool IsAlong(const Segment& segment, const Segment& longer, double distance) {
-  if (AcuteAngle(segment, longer) > 6 * kDegree) return false;
-  const Vector2d along = (longer.p2 - longer.p1).normalized();
-  const double at = along.dot(segment.middle() - longer.p1);
-  return at > 0 && at < longer.length() &&
-         std::abs(SignedDistanceToLine(longer, segment.middle())) < distance;
+  const double length = longer.length();
+  const Vector2d along = (longer.p2 - longer.p1) / length, middle = segment.middle() - longer.p1;
+  const double at = along.dot(middle);
+  if (at <= 0 || at >= length) return false;
+  if (std::abs(along.x() * middle.y() - along.y() * middle.x()) >= distance) return false;
+  return AcuteAngle(segment, longer) <= 6 * kDegree;  // last: an arc tangent
+}
+
+// Where a ray can meet an object, a value a ray.
+cv::Mat1b MayShowObjects(const RayScene& rays, const Camera& camera,
+                         const Eigen::Isometry3d& T_camera_world) {
+  const Box picture{0, 0, static_cast<double>(camera.width), static_cast<double>(camera.height)};
+  cv::Mat1b worth((camera.height + kPixelStep - 1) / kPixelStep, (camera.width + kPixelStep - 1) / kPixelStep,
+                  uchar{0});
+  std::set<int> objects;
+  for (const PlacedMesh& mesh : rays.meshes()) objects.insert(mesh.object);
+  objects.erase(kRoom);
+  for (const int object : objects) {
+    const Box extent = ProjectedExtent(rays.meshes(), object, camera, T_camera_world, picture);
+    const cv::Point first(static_cast<int>(extent.left()) / kPixelStep,
+                          static_cast<int>(extent.top()) / kPixelStep);
+    const cv::Point last(static_cast<int>(extent.right()) / kPixelStep + 2,
+                         static_cast<int>(extent.bottom()) / kPixelStep + 2);
+    if (extent.area() > 0) worth(cv::Rect(first, last) & cv::Rect({0, 0}, worth.size())) = 1;
+  }
+  return worth;
 }
 
 }  // namespace
@@ -154,19 +178,23 @@ std::vector<Segment> SimulateSegments(const std::vector<SurfaceLine>& lines, con
 }
 
 cv::Mat1i SeeObjects(const RayScene& rays, const Camera& camera, const Eigen::Isometry3d& T_world_camera) {
-  constexpr int kStep = 2;  // pixels
-  cv::Mat1i objects(camera.height, camera.width);
-  std::vector<Vector3d> directions(static_cast<size_t>((camera.width + kStep - 1) / kStep));
-  std::vector<RayHit> hits(directions.size());
-  for (int y = 0; y < camera.height; y += kStep) {
-    for (size_t i = 0; i < directions.size(); ++i) {
-      const Vector2d pixel(static_cast<double>(i) * kStep, y);
-      directions[i] = (T_world_camera.linear() * camera.Ray(pixel)).normalized();
+  const cv::Mat1b worth = MayShowObjects(rays, camera, T_world_camera.inverse());
+  cv::Mat1i objects(camera.height, camera.width, kRoom);
+  std::vector<int> columns;
+  std::vector<Vector3d> directions;
+  for (int y = 0; y < camera.height; y += kPixelStep) {
+    columns.clear();
+    directions.clear();
+    for (int x = 0; x < camera.width; x += kPixelStep) {
+      if (!worth(y / kPixelStep, x / kPixelStep)) continue;
+      columns.push_back(x);
+      directions.push_back((T_world_camera.linear() * camera.Ray(Vector2d(x, y))).normalized());
     }
+    std::vector<RayHit> hits(directions.size());
     rays.Nearest(T_world_camera.translation(), directions, hits);
-    for (int x = 0; x < camera.width; ++x) {
-      for (int row = y; row < std::min(y + kStep, camera.height); ++row)
-        objects(row, x) = hits[static_cast<size_t>(x / kStep)].object;
+    for (size_t i = 0; i < hits.size(); ++i) {
+      const cv::Rect pixels(columns[i], y, kPixelStep, kPixelStep);
+      objects(pixels & cv::Rect({0, 0}, objects.size())) = hits[i].object;
     }
   }
   return objects;

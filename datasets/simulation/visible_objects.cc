@@ -30,28 +30,6 @@ std::map<int, Extent> Extents(const cv::Mat1i& objects) {
   return extents;
 }
 
-// Where the object is in the picture, or could be: all of the wide picture when a part of it is behind the
-// camera.
-Box ProjectedExtent(const std::vector<PlacedMesh>& meshes, int object, const Camera& camera,
-                    const Eigen::Isometry3d& T_camera_world, const Box& wide) {
-  constexpr double kNear = 0.05;  // metres
-  Eigen::AlignedBox2d extent;
-  for (const PlacedMesh& mesh : meshes) {
-    if (mesh.object != object) continue;
-    for (const Part& part : mesh.mesh.parts) {
-      for (const Quad& quad : part.quads) {
-        for (const Eigen::Vector3d& corner : quad.corners) {
-          const Eigen::Vector3d point = T_camera_world * (mesh.T_world_mesh * corner);
-          if (point.z() < kNear) return wide;
-          extent.extend(camera.Project(point));
-        }
-      }
-    }
-  }
-  const Eigen::Vector2d size = extent.sizes();
-  return Intersection({extent.min().x(), extent.min().y(), size.x(), size.y()}, wide);
-}
-
 bool IsInside(const Eigen::Vector2d& pixel, const Camera& camera) {
   return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() < camera.width - 0.5 &&
          pixel.y() < camera.height - 0.5;
@@ -76,6 +54,26 @@ double VisibleShare(const RayScene& rays, int object, const Camera& camera,
 }
 
 }  // namespace
+
+Box ProjectedExtent(const std::vector<PlacedMesh>& meshes, int object, const Camera& camera,
+                    const Eigen::Isometry3d& T_camera_world, const Box& within) {
+  constexpr double kNear = 0.05;  // metres
+  Eigen::AlignedBox2d extent;
+  for (const PlacedMesh& mesh : meshes) {
+    if (mesh.object != object) continue;
+    for (const Part& part : mesh.mesh.parts) {
+      for (const Quad& quad : part.quads) {
+        for (const Eigen::Vector3d& corner : quad.corners) {
+          const Eigen::Vector3d point = T_camera_world * (mesh.T_world_mesh * corner);
+          if (point.z() < kNear) return within;
+          extent.extend(camera.Project(point));
+        }
+      }
+    }
+  }
+  const Eigen::Vector2d size = extent.sizes();
+  return Intersection({extent.min().x(), extent.min().y(), size.x(), size.y()}, within);
+}
 
 std::vector<VisibleObject> VisibleObjects(const RayScene& rays, const cv::Mat1i& objects,
                                           const Camera& camera, const Eigen::Isometry3d& T_world_camera) {

@@ -24,4 +24,9 @@ struct VisibleObject {
 std::vector<VisibleObject> VisibleObjects(const RayScene& rays, const cv::Mat1i& objects,
                                           const Camera& camera, const Eigen::Isometry3d& T_world_camera);
 
+// Around the object's corners where the picture would show them; all of `within` when a part of it is behind
+// the camera, and at most that.
+Box ProjectedExtent(const std::vector<PlacedMesh>& meshes, int object, const Camera& camera,
+                    const Eigen::Isometry3d& T_camera_world, const Box& within);
+
 }  // namespace armature

@@ -50,6 +50,7 @@ Job JobPlanner::Room(const MatrixSequence& room) const {
                                 Here(LocateRooms(matrix_))};
   for (const fs::path& folder : rooms.collections)
     call.insert(call.end(), {"--collection", Here(fs::absolute(folder).lexically_normal())});
+  if (rooms.lines_only) call.push_back("--lines-only");
   return {.name = RoomJob(room), .commands = {call}, .always = true};
 }
 

@@ -226,7 +226,16 @@ fs::path LocateDraw(const Matrix& matrix, int draw) {
   return draw == 1 ? data : data / fmt::format("draw{}", draw);
 }
 
-fs::path LocateRooms(const Matrix& matrix) { return fs::absolute(matrix.data / "rooms").lexically_normal(); }
+std::string KindOfRooms(const RoomSet& rooms) {
+  std::string kind;
+  for (const fs::path& collection : rooms.collections)
+    kind += "-" + fs::absolute(collection / "").lexically_normal().parent_path().filename().string();
+  return rooms.lines_only ? kind + "-lines" : kind;
+}
+
+fs::path LocateRooms(const Matrix& matrix) {
+  return fs::absolute(matrix.data / ("rooms" + KindOfRooms(matrix.rooms.value()))).lexically_normal();
+}
 
 std::string NameRoom(const RoomSet& rooms, int number) {
   return fmt::format("{}-{}-{:03}", rooms.name, rooms.split, number);

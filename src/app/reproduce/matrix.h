@@ -48,6 +48,7 @@ struct RoomSet {
   int count = 40;
   std::string split = "development";                 // one of kRoomSplits, or a seed
   std::vector<std::filesystem::path> collections{};  // folders of CAD models to furnish them with
+  bool lines_only = false;                           // without pictures
 };
 
 inline constexpr std::array kRoomSplits{"development", "check"};
@@ -115,6 +116,9 @@ std::filesystem::path LocateDraw(const Matrix& matrix, int draw);
 
 // Where rooms are rendered to; absolute.
 std::filesystem::path LocateRooms(const Matrix& matrix);
+
+// What tells rooms of one name apart, as folders' names end: "", "-cad", "-cad-lines".
+std::string KindOfRooms(const RoomSet& rooms);
 
 // "mixed-development-007".
 std::string NameRoom(const RoomSet& rooms, int number);

@@ -35,6 +35,7 @@ void EmitRooms(const RoomSet& rooms, YAML::Emitter& yaml) {
   std::vector<std::string> collections;
   for (const fs::path& folder : rooms.collections) collections.push_back(folder.string());
   if (!collections.empty()) Emit("collections", collections, yaml);
+  if (rooms.lines_only) Emit("lines_only", true, yaml);
   yaml << YAML::EndMap;
 }
 

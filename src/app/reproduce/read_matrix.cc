@@ -69,7 +69,7 @@ Timing ReadTiming(const YamlMap& map) {
 }
 
 RoomSet ReadRooms(const YamlMap& map, const fs::path& beside) {
-  map.CheckKeys({"recipe", "count", "split", "seed", "collections"});
+  map.CheckKeys({"recipe", "count", "split", "seed", "collections", "lines_only"});
   RoomSet rooms = ReadRoomSet(beside / map.Text("recipe"));
   if (map.Has("count")) rooms.count = map.Integer("count");
   if (rooms.count < 1) throw InputError(map.At("count", "has to be 1 or more"));
@@ -88,6 +88,7 @@ RoomSet ReadRooms(const YamlMap& map, const fs::path& beside) {
     for (const std::string& folder : map.Texts("collections"))
       rooms.collections.push_back((beside / folder).lexically_normal());
   }
+  if (map.Has("lines_only")) rooms.lines_only = map.Boolean("lines_only");
   return rooms;
 }
 

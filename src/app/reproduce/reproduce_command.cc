@@ -43,15 +43,18 @@ RoomSet MakeRoomSet(const ReproduceArguments& a) {
   }
   if (a.seed) rooms.split = std::to_string(*a.seed);
   rooms.collections = a.collections;
+  rooms.lines_only = a.lines_only;
   return rooms;
 }
 
 void CheckRoomArguments(const ReproduceArguments& a) {
   if (!a.rooms.empty() && !a.sequences.empty())
     throw InputError("reproduce: --rooms and sequence folders exclude each other; call it twice");
-  const bool needs_rooms = a.count > 0 || !a.split.empty() || a.seed || !a.collections.empty();
+  const bool needs_rooms =
+      a.count > 0 || !a.split.empty() || a.seed || !a.collections.empty() || a.lines_only;
   if (needs_rooms && a.rooms.empty())
-    throw InputError("reproduce: --count, --split, --seed and --collection are of --rooms; name a recipe");
+    throw InputError(
+        "reproduce: --count, --split, --seed, --collection and --lines-only are of --rooms; name a recipe");
 }
 
 Matrix LoadMatrix(const ReproduceArguments& a) {
@@ -63,7 +66,7 @@ Matrix LoadMatrix(const ReproduceArguments& a) {
   if (!a.sequences.empty()) ReplaceSequences(a.sequences, matrix);
   if (!a.rooms.empty()) {
     ReplaceByRooms(MakeRoomSet(a), matrix);
-    matrix.name = matrix.rooms->name + "-" + matrix.rooms->split;
+    matrix.name = matrix.rooms->name + "-" + matrix.rooms->split + KindOfRooms(*matrix.rooms);
   }
   if (!a.variants.empty()) SelectVariants(a.variants, ConfigsFolder(a.configs), matrix);
   AddDetections(a.detections, matrix);
@@ -235,15 +238,19 @@ CommandHelp ReproduceHelp() {
                 {"OUT/NAME/README.txt", "what each of the other files is: runs, raw rows, pictures, logs"},
                 {"OUT/latest", "points to the folder that was made last"}},
       .exit_status = {{"1", "also: a run or another part failed, the rest is there"}},
-      .examples = {{"everything; some minutes", "armature reproduce"},
-                   {"is everything in place? within a minute", "armature reproduce --fast"},
-                   {"one sequence, two variants", "armature reproduce --only seq1,objects,paper"},
-                   {"six variants in 40 rooms",
-                    "armature reproduce --rooms configs/rooms/mixed.yaml --count 40 --variants "
-                    "default,fast,no_viewpoint_prior,no_floor,no_refinement,no_loop_closure"},
-                   {"a sequence of your own", "armature reproduce my_sequence --name mine"},
-                   {"several, with their own boxes and with those of a detector",
-                    "armature reproduce office kitchen --variants default --detections yolo --name mine"}}};
+      .examples = {
+          {"everything; some minutes", "armature reproduce"},
+          {"is everything in place? within a minute", "armature reproduce --fast"},
+          {"one sequence, two variants", "armature reproduce --only seq1,objects,paper"},
+          {"six variants in 40 rooms",
+           "armature reproduce --rooms configs/rooms/mixed.yaml --count 40 --variants "
+           "default,fast,no_viewpoint_prior,no_floor,no_refinement,no_loop_closure"},
+          {"a thousand rooms without pictures",
+           "armature reproduce --rooms configs/rooms/mixed.yaml --count 1000 --lines-only --variants "
+           "default"},
+          {"a sequence of your own", "armature reproduce my_sequence --name mine"},
+          {"several, with their own boxes and with those of a detector",
+           "armature reproduce office kitchen --variants default --detections yolo --name mine"}}};
 }
 
 }  // namespace
@@ -304,6 +311,9 @@ void AddReproduceCommand(CLI::App& app, int& exit_status) {
       ->add_option("--collection", a.collections, "CAD models to furnish rooms with, may be given repeatedly")
       ->type_name("DIR")
       ->allow_extra_args(false);
+  reproduce->add_flag("--lines-only", a.lines_only,
+                      "rooms without pictures, but with the lines that the detector would find in them: far "
+                      "quicker, for rooms by the thousand");
   reproduce
       ->add_option(
           "--variants", a.variants,

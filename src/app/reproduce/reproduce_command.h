@@ -17,6 +17,7 @@ struct ReproduceArguments {
   std::string split;                               // empty: as RoomSet has it
   std::optional<std::uint32_t> seed{};             // instead of a split
   std::vector<std::filesystem::path> collections;  // of CAD models for rooms
+  bool lines_only = false;                         // rooms without pictures
   std::vector<std::string> variants;               // by name, see SelectVariants; empty: the matrix's
   int jitter = 0;                                  // repeats; 0: the matrix's
   std::filesystem::path cad;                       // annotated CAD models, for retrieval; empty: the matrix's
