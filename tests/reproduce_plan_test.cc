@@ -174,7 +174,7 @@ TEST(ReproducePlan, RoomsAreEvaluatedOverAllOfThem) {
   const testing::TempFolder folder;
   Matrix matrix = RoomMatrix();
   matrix.data = folder.path();
-  folder.Write("rooms/mixed-development-000/groundtruth.txt", "");
+  folder.Write("rooms-cad/mixed-development-000/groundtruth.txt", "");
   const std::vector<Job> jobs = PlanEvaluation(
       matrix, kFolders,
       {Done("runs/default/mixed-development-000"), Done("jitter/default-1/mixed-development-000")});
