@@ -8,6 +8,7 @@
 #include "eval/rooms/room_stability.h"
 #include "eval/rooms/room_statistics.h"
 #include "eval/rooms/worst_rooms.h"
+#include "support/temp_folder.h"
 
 namespace armature {
 namespace {
@@ -147,13 +148,22 @@ TEST(RoomFactorsTest, MissedObjectsAreCountedByThirds) {
 TEST(RoomGroupsTest, AreCategoriesAndDetectionSettings) {
   RoomVariant variant{"a", {MakeRoom("x", {0.1, 0.3}), MakeRoom("y", {-1})}};
   variant.rooms[0].circumstances.detections = "network";
+  variant.rooms[0].circumstances.path = variant.rooms[1].circumstances.path = "turn";
+  variant.rooms[0].spurious = 3;
+  variant.rooms[0].log_scale = -0.25;
+  variant.rooms[1].log_scale.reset();
   const Table table = RoomGroupTable(variant);
-  ASSERT_EQ(table.rows.size(), 3u);
+  ASSERT_EQ(table.rows.size(), 4u);
   EXPECT_EQ(table.rows[0][1].text, "chair");
   EXPECT_EQ(table.rows[0][3].text, "66.7");
   EXPECT_EQ(table.rows[1][1].text, "network");
   EXPECT_EQ(table.rows[1][4].text, "0.200");
   EXPECT_EQ(table.rows[2][1].text, "unknown");
+  EXPECT_EQ(table.rows[0][6].text, "") << "rooms are of no category";
+  EXPECT_EQ(table.rows[3][1].text, "turn");
+  EXPECT_EQ(table.rows[3][6].text, "2");
+  EXPECT_EQ(table.rows[3][7].text, "1.50");
+  EXPECT_EQ(table.rows[3][8].text, "0.250");
 }
 
 RoomVariant Jittered(const std::string& name, int seed, double error, int spurious) {
@@ -256,6 +266,11 @@ TEST(CircumstancesTest, OfARoomAreItsCameras) {
   EXPECT_NEAR(*room.pitch_deg, 0, 1e-9);
   EXPECT_NEAR(*room.camera_height_m, 1.0, 1e-9) << "0.6 m above the centre, half of 0.8 m above its base";
   EXPECT_EQ(room.detections, "");
+  const testing::TempFolder folder;
+  folder.Write("scene.yaml", "detections: {setting: network}\npath: {kind: turn}\n");
+  const RoomCircumstances known = DescribeRoom(CorridorTruth(), folder.path());
+  EXPECT_EQ(known.detections, "network");
+  EXPECT_EQ(known.path, "turn");
 }
 
 }  // namespace

@@ -112,13 +112,16 @@ double LowestBase(const std::vector<TrueObject>& objects, const Eigen::Vector3d&
   return lowest;
 }
 
-std::string ReadDetectionSetting(const std::filesystem::path& scene) {
-  if (!std::filesystem::exists(scene)) return "";
-  const YamlMap map = YamlMap::Load(scene);
+std::string ReadDetectionSetting(const YamlMap& map) {
   if (!map.Has("detections")) return "simulated";
   if (!map.IsMap("detections")) return map.Text("detections");
   const YamlMap detections = map.Map("detections");
   return detections.Has("setting") ? detections.Text("setting") : "simulated";
+}
+
+std::string ReadPathKind(const YamlMap& map) {
+  const YamlMap path = map.MapOrEmpty("path");
+  return path.Has("kind") ? path.Text("kind") : "";
 }
 
 }  // namespace
@@ -135,7 +138,11 @@ RoomCircumstances DescribeRoom(const SequenceTruth& sequence, const std::filesys
   const std::vector<TimedPose>& cameras = sequence.truth.T_world_camera;
   RoomCircumstances room{.images = static_cast<long>(cameras.size()),
                          .objects = static_cast<long>(sequence.truth.objects.size())};
-  room.detections = ReadDetectionSetting(folder / "scene.yaml");
+  if (const auto scene = folder / "scene.yaml"; std::filesystem::exists(scene)) {
+    const YamlMap map = YamlMap::Load(scene);
+    room.detections = ReadDetectionSetting(map);
+    room.path = ReadPathKind(map);
+  }
   for (size_t i = 1; i < cameras.size(); ++i)
     room.path_m += (cameras[i].pose.translation() - cameras[i - 1].pose.translation()).norm();
   const std::optional<Eigen::Vector3d> up = FindTrueUp(sequence.truth.objects);

@@ -32,6 +32,7 @@ struct RoomCircumstances {
   std::optional<double> camera_height_m{};  // median, above the lowest object's base
   double path_m = 0;                        // length of the cameras' way
   std::string detections{};  // the setting that made them, as scene.yaml has it; empty: not known
+  std::string path{};        // the kind of the camera's, as scene.yaml has it; empty: not known
 };
 
 // One an object of the truth. Throws InputError for a category without model.

@@ -110,20 +110,44 @@ std::vector<Cell> FactorRow(const std::string& name, const std::string& unit, in
   return row;
 }
 
-std::string OrDash(const std::string& text) { return text.empty() ? "unknown" : text; }
+std::string OrUnknown(const std::string& text) { return text.empty() ? "unknown" : text; }
 
+// Objects of one kind, and the rooms that are.
 struct Group {
   std::vector<double> errors;
   long objects = 0;
+  long rooms = 0, spurious = 0;
+  std::vector<double> log_scales;  // absolute
 };
 
 std::vector<Cell> GroupRow(const std::string& kind, const std::string& name, const Group& group) {
-  return {TextCell(kind),
-          TextCell(name),
-          CountCell(group.objects),
-          PercentCell(static_cast<double>(group.errors.size()), static_cast<double>(group.objects)),
-          NumberCell(Quantile(group.errors, 0.5), 3),
-          NumberCell(Quantile(group.errors, 0.9), 3)};
+  std::vector<Cell> row{
+      TextCell(kind),
+      TextCell(name),
+      CountCell(group.objects),
+      PercentCell(static_cast<double>(group.errors.size()), static_cast<double>(group.objects)),
+      NumberCell(Quantile(group.errors, 0.5), 3),
+      NumberCell(Quantile(group.errors, 0.9), 3)};
+  if (group.rooms == 0) {
+    row.insert(row.end(), {NoCell(), NoCell(), NoCell()});
+    return row;
+  }
+  row.push_back(CountCell(group.rooms));
+  row.push_back(NumberCell(static_cast<double>(group.spurious) / static_cast<double>(group.rooms), 2));
+  row.push_back(NumberCell(Quantile(group.log_scales, 0.5), 3));
+  return row;
+}
+
+void AddObject(const RoomObject& object, Group& group) {
+  ++group.objects;
+  if (object.of.error) group.errors.push_back(object.of.error->centre_m);
+}
+
+void AddRoom(const EvaluatedRoom& room, Group& group) {
+  ++group.rooms;
+  group.spurious += room.spurious;
+  if (room.log_scale) group.log_scales.push_back(std::abs(*room.log_scale));
+  for (const RoomObject& object : room.objects) AddObject(object, group);
 }
 
 }  // namespace
@@ -163,24 +187,23 @@ Table RoomFactorTable(const RoomVariant& variant) {
 }
 
 Table RoomGroupTable(const RoomVariant& variant) {
-  Table table{.title = "Errors by kind: " + variant.name,
-              .columns = {"kind", "name", "objects", "found [%]", "centre median [m]", "centre p90 [m]"},
-              .rows = {},
-              .notes = {"detections: the setting that made them, as the room's scene.yaml has it; given: by "
-                        "run --detections."},
-              .name = "room_groups"};
-  std::map<std::string, Group> categories, settings;
+  Table table{
+      .title = "Errors by kind: " + variant.name,
+      .columns = {"kind", "name", "objects", "found [%]", "centre median [m]", "centre p90 [m]", "rooms",
+                  "spurious a room", "|ln scale| median"},
+      .rows = {},
+      .notes = {"detections: the setting that made them; path: how the camera moved; both as the room's "
+                "scene.yaml has them; given: by run --detections."},
+      .name = "room_groups"};
+  std::map<std::string, Group> categories, settings, paths;
   for (const EvaluatedRoom& room : variant.rooms) {
-    for (const RoomObject& object : room.objects) {
-      for (Group* group :
-           {&categories[object.of.category], &settings[OrDash(room.circumstances.detections)]}) {
-        ++group->objects;
-        if (object.of.error) group->errors.push_back(object.of.error->centre_m);
-      }
-    }
+    for (const RoomObject& object : room.objects) AddObject(object, categories[object.of.category]);
+    AddRoom(room, settings[OrUnknown(room.circumstances.detections)]);
+    AddRoom(room, paths[OrUnknown(room.circumstances.path)]);
   }
   for (const auto& [name, group] : categories) table.rows.push_back(GroupRow("category", name, group));
   for (const auto& [name, group] : settings) table.rows.push_back(GroupRow("detections", name, group));
+  for (const auto& [name, group] : paths) table.rows.push_back(GroupRow("path", name, group));
   return table;
 }
 
