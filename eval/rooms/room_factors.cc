@@ -34,7 +34,7 @@ constexpr std::array kObjectFactors{
     FactorOfObject{"hidden share", 2, [](const Objects& of) { return of.hidden_share; }},
     FactorOfObject{"ever whole in the image", 0,
                    [](const Objects& of) { return std::optional<double>(of.was_whole ? 1 : 0); }},
-    FactorOfObject{"size deviation |ln|", 2,
+    FactorOfObject{"size deviation [ln]", 2,
                    [](const Objects& of) { return std::optional<double>(of.size_deviation); }}};
 
 constexpr std::array kRoomFactors{
@@ -52,7 +52,7 @@ constexpr std::array kRoomFactors{
                  [](const EvaluatedRoom& room) {
                    return std::optional<double>(static_cast<double>(room.circumstances.objects));
                  }},
-    FactorOfRoom{"|ln scale|", 3, [](const EvaluatedRoom& room) {
+    FactorOfRoom{"scale off [ln]", 3, [](const EvaluatedRoom& room) {
                    return room.log_scale ? std::optional(std::abs(*room.log_scale)) : std::nullopt;
                  }}};
 
@@ -190,7 +190,7 @@ Table RoomGroupTable(const RoomVariant& variant) {
   Table table{
       .title = "Errors by kind: " + variant.name,
       .columns = {"kind", "name", "objects", "found [%]", "centre median [m]", "centre p90 [m]", "rooms",
-                  "spurious a room", "|ln scale| median"},
+                  "spurious a room", "scale off, median [ln]"},
       .rows = {},
       .notes = {"detections: the setting that made them; path: how the camera moved; both as the room's "
                 "scene.yaml has them; given: by run --detections."},

@@ -63,7 +63,7 @@ const std::vector<RoomStatistic>& RoomStatistics() {
       {Q::kCentre, S::kMean, "object_error_mean_m", "centre mean [m]", 1, 3},
       {Q::kCentre, S::kP90, "object_error_p90_m", "centre p90 [m]", 1, 3},
       {Q::kCentre, S::kWorst, "object_error_worst_m", "centre worst [m]", 1, 2},
-      {Q::kScale, S::kMean, "log_scale_error_mean", "|ln scale|", 1, 3},
+      {Q::kScale, S::kMean, "log_scale_error_mean", "scale off [ln]", 1, 3},
       {Q::kAzimuth, S::kMean, "azimuth_within_15_deg_share", "azimuth in 15 deg [%]", 100, 0},
       {Q::kSize, S::kMean, "size_error_mean_m", "size [m]", 1, 3},
       {Q::kCamera, S::kMean, "ate_rmse_mean_m", "cameras [m]", 1, 3}};

@@ -135,9 +135,10 @@ Table RoomTable(const std::vector<RoomVariant>& variants, const std::vector<Room
   table.notes = {
       "found: of the objects that some detection was of; centre, azimuth, size: of all found objects of all "
       "rooms; "
-      "|ln scale|: of estimated over true length of the cameras' path (sim3), of rooms where the camera "
+      "scale off: absolute logarithm of estimated over true length of the cameras' path (sim3), of rooms "
+      "where the camera "
       "moves; "
-      "cameras: rmse of their positions; spurious, |ln scale|, cameras: means over rooms.",
+      "cameras: rmse of their positions; spurious, scale, cameras: means over rooms.",
       fmt::format(
           "[from, to]: 2.5th to 97.5th percentile over {} draws of rooms with replacement, each with all its "
           "objects (percentile bootstrap, seeded); too narrow for few rooms, and that of the worst cannot "
