@@ -37,6 +37,8 @@ mkdir -p "$sample"/{sequence/rgb,run,cad,eval}
 for file in sequence.yaml rgb.txt detections.csv detections_gt.csv groundtruth.txt objects_gt.csv odometry.txt; do
   cp "data/sample/$file" "$sample/sequence"
 done
+"$armature" generate --quiet --out lines --only sample --frames 3 --lines-only --without-cad
+awk -F, '/^#|^t/ || count[$1]++ < 5' lines/sample/segments.csv >"$sample/segments.csv"
 head -12 data/sample/edges_gt.csv >"$sample/sequence/edges_gt.csv"
 for image in data/sample/rgb/*; do : >"$sample/sequence/rgb/$(basename "$image")"; done
 grep -v '^ *#' data/sample/scene.yaml >"$sample/scene.yaml"

@@ -33,6 +33,7 @@
 #include "io/run_configuration.h"
 #include "io/run_map.h"
 #include "io/run_results.h"
+#include "io/segments_csv.h"
 #include "io/sequence.h"
 #include "io/shape_evidence_csv.h"
 #include "io/trajectory.h"
@@ -60,6 +61,11 @@ void ReadTheDetections(const fs::path& file) {
   static const Camera camera = ReadSequenceSettings(folder / "sequence.yaml").camera;
   static const std::vector<ImageEntry> images = ReadImageList(folder / "rgb.txt");
   ReadDetections(file, images, camera, {"chair", "table", "laptop"});
+}
+
+void ReadTheSegments(const fs::path& file) {
+  static const std::vector<ImageEntry> images{{0, {}, 1}, {0.1, {}, 2}, {0.2, {}, 3}};
+  ReadSegments(file, images);
 }
 
 void ReadTheSequence(const fs::path& file) { LoadSequence(file.parent_path(), {"chair", "table", "laptop"}); }
@@ -140,6 +146,7 @@ const std::vector<ReaderTarget>& ReaderTargets() {
       {"sequence", "sequence/sequence.yaml", [](const fs::path& f) { ReadSequenceSettings(f); }},
       {"images", "sequence/rgb.txt", [](const fs::path& f) { ReadImageList(f); }},
       {"detections", "sequence/detections.csv", ReadTheDetections},
+      {"segments", "segments.csv", ReadTheSegments},
       {"odometry", "sequence/odometry.txt", ReadTheSequence},
       {"true_trajectory", "sequence/groundtruth.txt",
        [](const fs::path& f) { LoadTrueTrajectory(f.parent_path()); }},
