@@ -192,9 +192,11 @@ cv::Mat1i SeeObjects(const RayScene& rays, const Camera& camera, const Eigen::Is
     }
     std::vector<RayHit> hits(directions.size());
     rays.Nearest(T_world_camera.translation(), directions, hits);
-    for (size_t i = 0; i < hits.size(); ++i) {
-      const cv::Rect pixels(columns[i], y, kPixelStep, kPixelStep);
-      objects(pixels & cv::Rect({0, 0}, objects.size())) = hits[i].object;
+    for (int row = y; row < std::min(y + kPixelStep, objects.rows); ++row) {
+      for (size_t i = 0; i < hits.size(); ++i) {
+        const int end = std::min(columns[i] + kPixelStep, objects.cols);
+        std::fill(&objects(row, columns[i]), &objects(row, 0) + end, hits[i].object);
+      }
     }
   }
   return objects;
