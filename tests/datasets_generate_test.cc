@@ -28,7 +28,9 @@ TEST(GenerateSequence, AStopOnTheWayIsPassedOnAndLeavesNothing) {
                                     [&] {
                                       if (++frames == 2) throw Stopped();
                                     }};
-  EXPECT_THROW(GenerateSequence(scene, collection, folder / "out", {.frames = 3}, progress), Stopped);
+  EXPECT_THROW(
+      GenerateSequence(scene, collection, folder / "out", {.frames = 3, .lines_only = true}, progress),
+      Stopped);
   EXPECT_TRUE(AllFiles(folder / "out").empty());
 }
 
@@ -36,7 +38,7 @@ TEST(GenerateSequence, WithoutOdometryHasNoFileOfItAndNoUp) {
   const TempFolder folder;
   const std::string scene =
       folder.Write("den.yaml", std::string(testing::kSmallScene) + "odometry: {kind: none}\n");
-  GenerateSequence(scene, DrawCollection({}), folder / "out", {.frames = 1}, {});
+  GenerateSequence(scene, DrawCollection({}), folder / "out", {.frames = 1, .lines_only = true}, {});
   EXPECT_FALSE(std::filesystem::exists(folder / "out/den/odometry.txt"));
   EXPECT_EQ(ReadFile(folder / "out/den/sequence.yaml").find("up:"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "out/den/groundtruth.txt"));
