@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "datasets/cad/edge_ends.h"
 #include "datasets/cad/laptop.h"
+#include "geometry/rotation.h"
 
 namespace armature {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kOnPlane = 1e-9;  // metres
 
 Vector3d Midpoint(const Wireframe& laptop, const std::string& edge) {
@@ -74,8 +73,10 @@ void TurnLid(const Hinge& hinge, const Eigen::Isometry3d& turn, Part* part) {
   bool is_lid = true;
   for (Quad quad : part->quads) {
     for (Vector3d& corner : quad.corners) {
-      is_lid = is_lid && (hinge.IsOfLid(corner) || hinge.IsOnAxis(corner));
-      if (hinge.IsOfLid(corner)) corner = turn * corner;
+      if (hinge.IsOfLid(corner))
+        corner = turn * corner;
+      else
+        is_lid = is_lid && hinge.IsOnAxis(corner);
     }
     AppendFlat(quad, &quads);
   }

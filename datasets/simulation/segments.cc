@@ -115,10 +115,9 @@ bool IsFound(double length, double contrast, const SegmentNoise& noise, Random& 
 
 bool IsAlong(const Segment& segment, const Segment& longer, double distance) {
   const double length = longer.length();
-  const Vector2d along = (longer.p2 - longer.p1) / length, middle = segment.middle() - longer.p1;
-  const double at = along.dot(middle);
+  const double at = (longer.p2 - longer.p1).dot(segment.middle() - longer.p1) / length;
   if (at <= 0 || at >= length) return false;
-  if (std::abs(along.x() * middle.y() - along.y() * middle.x()) >= distance) return false;
+  if (std::abs(SignedDistanceToLine(longer, segment.middle())) >= distance) return false;
   return AcuteAngle(segment, longer) <= 6 * kDegree;  // last: an arc tangent
 }
 

@@ -20,6 +20,19 @@ std::vector<size_t> OrderBy(const std::vector<PairInRoom>& pairs, double PairInR
   return order;
 }
 
+// Of the values the one up to which the share of them is nearest; of growing values.
+double NearestBound(const std::vector<double>& values, double share) {
+  const double wanted = share * static_cast<double>(values.size());
+  double bound = values.back(), nearest = HUGE_VAL;
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
+    const double off = std::abs(static_cast<double>(i + 1) - wanted);
+    if (off < nearest) bound = values[i];
+    nearest = std::min(nearest, off);
+  }
+  return bound;
+}
+
 }  // namespace
 
 RankCorrelation::RankCorrelation(const std::vector<PairInRoom>& pairs)
@@ -58,23 +71,6 @@ std::optional<double> RankCorrelation::Of(const RoomCounts& counts) const {
   if (xx <= 0 || yy <= 0) return std::nullopt;
   return xy / std::sqrt(xx * yy);
 }
-
-namespace {
-
-// Of the values the one up to which the share of them is nearest; of growing values.
-double NearestBound(const std::vector<double>& values, double share) {
-  const double wanted = share * static_cast<double>(values.size());
-  double bound = values.back(), nearest = HUGE_VAL;
-  for (size_t i = 0; i < values.size(); ++i) {
-    if (i + 1 < values.size() && values[i + 1] == values[i]) continue;
-    const double off = std::abs(static_cast<double>(i + 1) - wanted);
-    if (off < nearest) bound = values[i];
-    nearest = std::min(nearest, off);
-  }
-  return bound;
-}
-
-}  // namespace
 
 std::optional<Thirds> SplitByThirds(const std::vector<PairInRoom>& pairs) {
   if (pairs.empty()) return std::nullopt;

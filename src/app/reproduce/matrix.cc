@@ -88,6 +88,12 @@ void KeepSequences(const Wanted& wanted, Matrix& matrix) {
   });
 }
 
+// Absolute, and without a slash at its end: its last part is the folder's name.
+fs::path FolderWithName(const fs::path& folder) {
+  const fs::path absolute = fs::absolute(folder).lexically_normal();
+  return absolute.has_filename() ? absolute : absolute.parent_path();
+}
+
 // With what is only made from rendered scenes.
 void ClearSequences(Matrix& matrix) {
   matrix.scenes.clear();
@@ -147,8 +153,7 @@ void ReplaceSequences(const std::vector<fs::path>& folders, Matrix& matrix) {
   for (const fs::path& folder : folders) {
     if (!fs::exists(folder / "sequence.yaml"))
       throw InputError(fmt::format("{}: is no sequence: it has no sequence.yaml", folder.string()));
-    fs::path absolute = fs::absolute(folder).lexically_normal();
-    if (!absolute.has_filename()) absolute = absolute.parent_path();
+    const fs::path absolute = FolderWithName(folder);
     const std::vector<std::string> names = FamilyNames(matrix);
     if (std::find(names.begin(), names.end(), absolute.filename().string()) != names.end())
       throw InputError(fmt::format("{}: another sequence's folder has this name, and runs are named by it",
@@ -190,8 +195,7 @@ void AddDetections(const std::vector<fs::path>& folders, Matrix& matrix) {
     if (!fs::is_directory(given))
       throw InputError(fmt::format("--detections: {} is no folder; name one that has <sequence>.csv each",
                                    given.string()));
-    fs::path folder = fs::absolute(given).lexically_normal();
-    if (!folder.has_filename()) folder = folder.parent_path();
+    const fs::path folder = FolderWithName(given);
     const std::string of = folder.filename().string();
     for (Variant variant : without) {
       if (!variant.IsRun() || !variant.detections.empty()) continue;
@@ -229,7 +233,7 @@ fs::path LocateDraw(const Matrix& matrix, int draw) {
 std::string KindOfRooms(const RoomSet& rooms) {
   std::string kind;
   for (const fs::path& collection : rooms.collections)
-    kind += "-" + fs::absolute(collection / "").lexically_normal().parent_path().filename().string();
+    kind += "-" + FolderWithName(collection).filename().string();
   return rooms.lines_only ? kind + "-lines" : kind;
 }
 
