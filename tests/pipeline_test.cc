@@ -103,6 +103,27 @@ TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {
   EXPECT_LT(AngleDeg(estimate.up_camera, up), 1);
 }
 
+TEST(UpEstimator, ViewpointsThatAllErrAlikeAreCorrectedAndDoNotPullItAwayLater) {
+  const Camera camera{640, 480, 500, 500, 320, 240, {}};
+  const Eigen::Vector3d up = Eigen::Vector3d(0.05, -0.9, -0.4).normalized();
+  std::vector<Segment> posts;
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Vector3d foot(-1.2 + 0.2 * i, 0.6, 3 + 0.1 * (i % 3));
+    posts.push_back({camera.Project(foot), camera.Project(foot + 0.8 * up)});
+  }
+  const UpVote biased{ExpSO3({12 * kDegree, 0, 0}) * up, 5 * kDegree};
+  UpEstimator estimator;
+  UpEstimate estimate;
+  for (int frame = 0; frame < 5; ++frame) {
+    estimate = estimator.Predict(camera, posts, {biased, biased}, Eigen::Isometry3d::Identity());
+  }
+  EXPECT_LT(AngleDeg(estimate.up_camera, up), 1);
+  for (int frame = 0; frame < 150; ++frame) {  // the posts are no longer seen
+    estimate = estimator.Predict(camera, {}, {biased, biased}, Eigen::Isometry3d::Identity());
+  }
+  EXPECT_LT(AngleDeg(estimate.up_camera, up), 2);
+}
+
 TEST(UpEstimator, EarlierFramesCountThroughTheOdometry) {
   const Camera camera{640, 480, 500, 500, 320, 240, {}};
   const Eigen::Vector3d up_odom = Eigen::Vector3d(0, -1, -0.5).normalized();

@@ -14,8 +14,14 @@ namespace {
 // Tuned on office_dev and redkitchen_a.
 constexpr size_t kWindowFrames = 120;             // whose evidence is kept
 constexpr size_t kSegmentsPerFrame = 40;          // that vote, the longest
-constexpr double kVerticalCone = 20 * kDegree;    // a segment may be vertical if up is this near its plane
 constexpr double kVerticalSigma = 0.7 * kDegree;  // standard deviation of a vertical segment's plane
+
+// Of viewpoints that all err alike, and how far lines may be from upright about where they are tried, at
+// first.
+constexpr double kViewpointBias = 8 * kDegree, kViewpointCone = 7 * kDegree;
+
+// Of up as it was estimated before, in the odometry's frame, which drifts.
+constexpr double kMemorySigma = 1.5 * kDegree, kMemoryCone = 6 * kDegree, kClearlyBetter = 1.5;
 
 // Cauchy weight of an angle in standard deviations.
 double RobustWeight(double sigmas) { return 1 / (1 + sigmas * sigmas / 4); }
@@ -100,6 +106,27 @@ UpEstimator::Refined UpEstimator::Refine(const Eigen::Vector3d& start, double co
   return refined;
 }
 
+// Viewpoints of a network may all be off by ten or twenty degrees in the same way, for a whole room: they
+// tell which bundle of parallel lines is vertical, and the lines tell up.
+UpEstimator::Refined UpEstimator::RefineNearViewpoints(const Eigen::Vector3d& rough) const {
+  const Eigen::Vector3d right = window_.back().R_odom_camera.col(0);
+  Refined best;
+  double most = -1;
+  for (const double pitch_deg : {0.0, 8.0, -8.0, 16.0, -16.0}) {
+    const Eigen::Vector3d start = Eigen::AngleAxisd(pitch_deg * kDegree, right) * rough;
+    const Refined refined = Refine(start, kViewpointCone, rough, kViewpointBias);
+    const double off = std::acos(std::clamp(refined.up.dot(rough), -1.0, 1.0)) / kViewpointBias;
+    const double support = refined.support * std::exp(-0.5 * off * off);
+    if (support <= most) continue;
+    most = support;
+    best = refined;
+  }
+  if (!last_up_odom_) return best;
+  // Up stays where it is in the odometry's frame: another direction has to be clearly better.
+  const Refined as_before = Refine(*last_up_odom_, kMemoryCone, *last_up_odom_, kMemorySigma);
+  return most > kClearlyBetter * as_before.support ? best : as_before;
+}
+
 // Where no detection has a viewpoint, the level camera is all that is roughly known, and people look down at
 // furniture: several pitches are tried, and the one whose verticals are most wins.
 UpEstimator::Refined UpEstimator::RefineFromPitches(const Eigen::Vector3d& rough, double rough_sigma) const {
@@ -116,7 +143,10 @@ UpEstimator::Refined UpEstimator::RefineFromPitches(const Eigen::Vector3d& rough
 UpEstimate UpEstimator::Predict(const Camera& camera, const std::vector<Segment>& segments,
                                 const std::vector<UpVote>& votes,
                                 const std::optional<Eigen::Isometry3d>& T_odom_camera) {
-  if (!T_odom_camera) window_.clear();
+  if (!T_odom_camera) {
+    window_.clear();
+    last_up_odom_.reset();
+  }
   Eigen::Matrix3d R_odom_camera = Eigen::Matrix3d::Identity();
   if (T_odom_camera) R_odom_camera = T_odom_camera->linear();
   window_.push_back(Observe(camera, segments, R_odom_camera));
@@ -124,19 +154,12 @@ UpEstimate UpEstimator::Predict(const Camera& camera, const std::vector<Segment>
   if (window_.size() > kWindowFrames) window_.pop_front();
 
   const Eigen::Vector3d rough = RoughUp();
-  double vote_information = 0;
-  bool has_viewpoints = false;
-  for (const FrameEvidence& frame : window_) {
-    has_viewpoints = has_viewpoints || frame.votes.size() > 1;
-    for (const UpVote& vote : frame.votes) vote_information += 1 / (vote.sigma * vote.sigma);
-  }
-  // The rough direction's own uncertainty; correlated errors keep it from falling below a degree. Level
-  // cameras are assumed again and again: many such frames are worth one.
-  const double rough_sigma =
-      has_viewpoints ? std::max(1 * kDegree, 1 / std::sqrt(vote_information)) : kLevelSigmaDeg * kDegree;
-  const double cone = std::min(kVerticalCone, 3 * rough_sigma + 2 * kDegree);
+  const bool has_viewpoints = std::any_of(window_.begin(), window_.end(), [](const FrameEvidence& frame) {
+    return frame.votes.size() > 1;  // the first is the level camera
+  });
   const Refined refined =
-      has_viewpoints ? Refine(rough, cone, rough, rough_sigma) : RefineFromPitches(rough, rough_sigma);
+      has_viewpoints ? RefineNearViewpoints(rough) : RefineFromPitches(rough, kLevelSigmaDeg * kDegree);
+  if (T_odom_camera) last_up_odom_ = refined.up;
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(refined.information).eigenvalues()(1);
   return {R_odom_camera.transpose() * refined.up, 1 / std::sqrt(std::max(least, 1.0))};
 }

@@ -82,9 +82,11 @@ class UpEstimator {
   Eigen::Vector3d RoughUp() const;
   Refined Refine(const Eigen::Vector3d& start, double cone, const Eigen::Vector3d& rough,
                  double rough_sigma) const;
+  Refined RefineNearViewpoints(const Eigen::Vector3d& rough) const;
   Refined RefineFromPitches(const Eigen::Vector3d& rough, double rough_sigma) const;
 
   std::deque<FrameEvidence> window_;
+  std::optional<Eigen::Vector3d> last_up_odom_;  // unit
 };
 
 }  // namespace armature
