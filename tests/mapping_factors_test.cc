@@ -209,7 +209,7 @@ TEST(ObjectCost, DerivativesAgreeWithDifferences) {
     const Eigen::Isometry3d object =
         kPoseA * factor.at.T_camera_object * Pose({0.3, -0.2, 0.4}, {0.2, 0, 0.5});
     const Eigen::VectorXd shape = factor.at.coefficients.array() + 0.7;
-    ExpectJacobians(ObjectCost(factor), {BlockOf(kPoseA), BlockOf(object), BlockOf(shape)});
+    ExpectJacobians(ObjectCost(factor), {BlockOf(kPoseA), BlockOf(object), BlockOf(shape), {-0.12}});
   }
 }
 
@@ -217,7 +217,7 @@ TEST(ObjectCost, AtItsOwnPoseAndShapeItIsB) {
   const ObjectFactor factor = ExampleFactor(3);
   const Eigen::VectorXd r = Residuals(
       ObjectCost(factor),
-      {BlockOf(kPoseA), BlockOf(kPoseA * factor.at.T_camera_object), BlockOf(factor.at.coefficients)});
+      {BlockOf(kPoseA), BlockOf(kPoseA * factor.at.T_camera_object), BlockOf(factor.at.coefficients), {0.0}});
   EXPECT_LT((r - factor.b).norm(), 1e-9);
 }
 
@@ -227,8 +227,20 @@ TEST(ObjectCost, IsLinearInTheStepFromThere) {
   const Eigen::Isometry3d object = kPoseA * factor.at.T_camera_object * Pose({0, 0, 0}, {0.2, 0, 0});
   const Eigen::VectorXd shape = factor.at.coefficients + Eigen::VectorXd::Unit(3, 1);
   const Eigen::VectorXd expected = factor.b + 0.2 * factor.A.col(3) + factor.A.col(7);
-  const Eigen::VectorXd r = Residuals(ObjectCost(factor), {BlockOf(kPoseA), BlockOf(object), BlockOf(shape)});
+  const Eigen::VectorXd r =
+      Residuals(ObjectCost(factor), {BlockOf(kPoseA), BlockOf(object), BlockOf(shape), {0.0}});
   EXPECT_LT((r - expected).norm(), 1e-9);
+}
+
+// Twice as large and twice as far away, it looks the same.
+TEST(ObjectCost, SizeAndDistanceLookAlike) {
+  const ObjectFactor factor = ExampleFactor(3);
+  Eigen::Isometry3d farther = factor.at.T_camera_object;
+  farther.translation() *= 2;
+  const Eigen::VectorXd r = Residuals(
+      ObjectCost(factor),
+      {BlockOf(kPoseA), BlockOf(kPoseA * farther), BlockOf(factor.at.coefficients), {std::log(2.0)}});
+  EXPECT_LT((r - factor.b).norm(), 1e-9);
 }
 
 // --- Upright and on the floor
@@ -263,18 +275,19 @@ double LowestY(const GraphObject& object) {
 TEST(FloorCost, DerivativesAgreeWithDifferences) {
   const CategoryModel model = LoadModel("chair");
   const GraphObject object = ExampleObject(model);
-  ExpectJacobians(FloorCost(object, 0.02),
-                  {BlockOf(object.T_world_object), BlockOf(object.coefficients), {0.1, -0.9, 0.3}, {-1.1}});
+  ExpectJacobians(
+      FloorCost(object, 0.02),
+      {BlockOf(object.T_world_object), BlockOf(object.coefficients), {0.2}, {0.1, -0.9, 0.3}, {-1.1}});
 }
 
 TEST(FloorCost, IsTheHeightOfTheLowestPointAboveTheFloor) {
   const CategoryModel model = LoadModel("table");
   GraphObject object = ExampleObject(model);
   object.T_world_object = Pose({0, 0.8, 0}, {3, 1.2, -2});
-  const double height = 1.2 + LowestY(object) - 0.3;
-  const Eigen::VectorXd r =
-      Residuals(FloorCost(object, 0.02),
-                {BlockOf(object.T_world_object), BlockOf(object.coefficients), {0, 1, 0}, {0.3}});
+  const double height = 1.2 + 1.5 * LowestY(object) - 0.3;  // half as large again
+  const Eigen::VectorXd r = Residuals(
+      FloorCost(object, 0.02),
+      {BlockOf(object.T_world_object), BlockOf(object.coefficients), {std::log(1.5)}, {0, 1, 0}, {0.3}});
   EXPECT_NEAR(r(0), height / 0.02, 1e-6);
 }
 

@@ -316,9 +316,9 @@ TEST(DropUnseen, LaterObjectsMoveUp) {
 
 // --- Detections
 
-class AssociateDetectionsTest : public ::testing::Test {
+class AssociateFrameTest : public ::testing::Test {
  protected:
-  AssociateDetectionsTest() {
+  AssociateFrameTest() {
     world_.Put("chair", -0.6, 2.5, 150);
     world_.Put("chair", 0.6, 2.5, 150);
     Walk(world_);
@@ -327,7 +327,18 @@ class AssociateDetectionsTest : public ::testing::Test {
 
   ObjectOfObservation Associate(std::optional<double> seconds_between = {}) const {
     const FirstMap map(frames_);
-    return AssociateDetections(map.graph, changed_.empty() ? frames_ : changed_, map.phi, seconds_between);
+    return Associate(map, changed_.empty() ? frames_ : changed_, seconds_between);
+  }
+
+  static ObjectOfObservation Associate(const FirstMap& map, const std::vector<MapFrame>& frames,
+                                       std::optional<double> seconds_between) {
+    const std::vector<TimeSpan> spans = SeenSpans(map.graph.objects.size(), frames, map.phi);
+    ObjectOfObservation phi;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      phi.push_back(AssociateFrame(map.graph.objects, spans, WithoutEvidence(frames[i]),
+                                   map.graph.T_world_camera[i], seconds_between));
+    }
+    return phi;
   }
 
   MapWorld world_;
@@ -335,20 +346,20 @@ class AssociateDetectionsTest : public ::testing::Test {
   std::vector<MapFrame> changed_;  // whose detections are associated, if not the same
 };
 
-TEST_F(AssociateDetectionsTest, EachToItsOwn) { EXPECT_EQ(Associate(), ObjectOfObservation(16, {0, 1})); }
+TEST_F(AssociateFrameTest, EachToItsOwn) { EXPECT_EQ(Associate(), ObjectOfObservation(16, {0, 1})); }
 
-TEST_F(AssociateDetectionsTest, DoNotNeedATrack) {
+TEST_F(AssociateFrameTest, DoNotNeedATrack) {
   for (MapObservation& observation : frames_[3].observations) observation.track = -1;
   EXPECT_EQ(Associate()[3], (std::vector<int>{0, 1}));
 }
 
-TEST_F(AssociateDetectionsTest, FollowTheBoxNotTheTrack) {
+TEST_F(AssociateFrameTest, FollowTheBoxNotTheTrack) {
   changed_ = frames_;
   std::swap(changed_[3].observations[0].view.detection.box, changed_[3].observations[1].view.detection.box);
   EXPECT_EQ(Associate()[3], (std::vector<int>{1, 0}));
 }
 
-TEST_F(AssociateDetectionsTest, OneToOne) {
+TEST_F(AssociateFrameTest, OneToOne) {
   changed_ = frames_;
   MapObservation second = frames_[3].observations[0];  // another box on the first chair, not quite on it
   second.view.detection.box.x += 0.2 * second.view.detection.box.width;
@@ -356,34 +367,34 @@ TEST_F(AssociateDetectionsTest, OneToOne) {
   EXPECT_EQ(Associate()[3], (std::vector<int>{-1, 0, 1}));
 }
 
-TEST_F(AssociateDetectionsTest, ABoxWithoutAnObjectIsOfNone) {
+TEST_F(AssociateFrameTest, ABoxWithoutAnObjectIsOfNone) {
   changed_ = frames_;
   changed_[3].observations[0].view.detection.box.y -= 250;
   EXPECT_EQ(Associate()[3], (std::vector<int>{-1, 1}));
 }
 
-TEST_F(AssociateDetectionsTest, APartOfTheObjectIsTheObject) {
+TEST_F(AssociateFrameTest, APartOfTheObjectIsTheObject) {
   changed_ = frames_;
   Box& box = changed_[3].observations[0].view.detection.box;
   box.height *= 0.25;  // its lower part is hidden
   EXPECT_EQ(Associate()[3], (std::vector<int>{0, 1}));
 }
 
-TEST_F(AssociateDetectionsTest, AnotherCategoryIsAnotherObject) {
+TEST_F(AssociateFrameTest, AnotherCategoryIsAnotherObject) {
   changed_ = frames_;
   changed_[3].observations[0].view.model = &world_.Model("table");
   EXPECT_EQ(Associate()[3], (std::vector<int>{-1, 1}));
 }
 
-TEST_F(AssociateDetectionsTest, OnlyRecentObjectsWithoutLoopClosure) {
+TEST_F(AssociateFrameTest, OnlyRecentObjectsWithoutLoopClosure) {
   changed_ = frames_;
   for (size_t i = 6; i < changed_.size(); ++i) changed_[i].timestamp += 20;
   for (size_t i = 6; i < frames_.size(); ++i) frames_[i].observations.clear();  // no longer seen there
   FirstMap map(frames_);
   map.phi.assign(16, {-1, -1});
   for (size_t i = 0; i < 6; ++i) map.phi[i] = {0, 1};
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, std::nullopt)[10], (std::vector<int>{0, 1}));
-  EXPECT_EQ(AssociateDetections(map.graph, changed_, map.phi, 3.0)[10], (std::vector<int>{-1, -1}));
+  EXPECT_EQ(Associate(map, changed_, std::nullopt)[10], (std::vector<int>{0, 1}));
+  EXPECT_EQ(Associate(map, changed_, 3.0)[10], (std::vector<int>{-1, -1}));
 }
 
 }  // namespace

@@ -74,6 +74,8 @@ struct CategorySpec {
                                      // sides along each axis: half a leg's thickness, for example
   std::optional<SlabOutline> slab;
   MetricReference reference;
+  double size_sigma =
+      0.07;  // standard deviation of the logarithm of how much larger one is than the reference
   int dictionary_size = 4;  // 3-5 in the paper
 
   int edges() const { return static_cast<int>(edge_names.size()); }

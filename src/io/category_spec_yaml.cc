@@ -150,8 +150,8 @@ std::string PaddingText(const Eigen::Vector3d& padding) {
 }  // namespace
 
 std::vector<std::string> CategorySpecKeys() {
-  return {"category",        "edges",   "base_edges", "faces",     "symmetry_order",
-          "stands_on_floor", "padding", "slab",       "reference", "dictionary_size"};
+  return {"category", "edges", "base_edges", "faces",      "symmetry_order", "stands_on_floor",
+          "padding",  "slab",  "reference",  "size_sigma", "dictionary_size"};
 }
 
 CategorySpec ReadCategorySpec(const YamlMap& root) {
@@ -166,6 +166,10 @@ CategorySpec ReadCategorySpec(const YamlMap& root) {
   if (root.Has("slab")) spec.slab = ReadSlab(root.Map("slab"), spec.edge_names);
   if (root.Has("stands_on_floor")) spec.stands_on_floor = root.Boolean("stands_on_floor");
   spec.reference = ReadReference(root.Map("reference"), spec.edge_names);
+  if (root.Has("size_sigma")) {
+    spec.size_sigma = root.Number("size_sigma");
+    if (!(spec.size_sigma > 0)) throw InputError(root.At("size_sigma", "has to be positive"));
+  }
   spec.dictionary_size = ReadCount(root, "dictionary_size", spec.dictionary_size);
   return spec;
 }
@@ -210,7 +214,8 @@ std::string CategorySpecText(const CategorySpec& spec) {
   text += fmt::format("reference:\n  measure: {}\n  edges: {}\n  metres: {:.9g}\n",
                       length ? "length" : "height_above_ground", EdgeList(spec, spec.reference.edges),
                       spec.reference.metres);
-  return text + fmt::format("dictionary_size: {}\n", spec.dictionary_size);
+  return text +
+         fmt::format("size_sigma: {:.9g}\ndictionary_size: {}\n", spec.size_sigma, spec.dictionary_size);
 }
 
 }  // namespace armature

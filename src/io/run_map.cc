@@ -49,8 +49,9 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
                       file.string(), placed.id, model.modes()));
     }
     objects.push_back({placed.id, &model, placed.T_world_object,
-                       Eigen::Map<const Eigen::VectorXd>(placed.shape.data(), model.modes()),
+                       Eigen::Map<const Eigen::VectorXd>(placed.shape.data(), model.modes()), 0,
                        placed.observations, of_shape->second.evidence});
+    objects.back().log_size = std::log(placed.size.norm() / objects.back().Size().norm());
   }
   return objects;
 }

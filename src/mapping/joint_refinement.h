@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All frames' lines at once: camera poses, object poses and one shape an object.
+// All frames' lines at once: camera poses, object poses, and one shape and size an object.
 //
 // Each round matches the segments of every observation anew, to the wireframe where the map has it; replaces
 // the observation's factor by these matches' residuals (lines and box), linearised there; and solves the
@@ -15,8 +15,7 @@
 
 namespace armature {
 
-// Rounds go from coarse to fine: first a wide gate and a flat loss, so that the boxes draw a wireframe that
-// lies on a table's seam to the table's edge, then the lines decide.
+// Rounds go from coarse to fine: the gate narrows.
 struct RefinementOptions {
   int rounds = 10;                // 0: none
   double first_gate_pixels = 16;  // distance gate of the first round's matches; their sigma goes with it

@@ -78,7 +78,7 @@ Map WithPassedFrames(const std::vector<MapFrame>& frames, const Map& map,
                      std::optional<double> seconds_between) {
   std::vector<GraphObject> objects;
   for (const MapObject& object : map.objects)
-    objects.push_back({object.model, object.T_world_object, object.coefficients});
+    objects.push_back({object.model, object.T_world_object, object.coefficients, object.log_size});
   const std::vector<TimeSpan> spans = SeenSpans(objects.size(), frames, map.phi);
   Map whole = map;
   whole.timestamps.clear();

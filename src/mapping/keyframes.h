@@ -26,7 +26,7 @@ std::optional<size_t> FindSuperfluousFrame(const std::vector<MapFrame>& frames,
 void PassOver(size_t index, std::vector<MapFrame>& frames);
 
 // The map of all frames from the map of those that were kept: passed cameras go from kept camera to kept
-// camera as the odometry does. `seconds_between`: as in AssociateDetections.
+// camera as the odometry does. `seconds_between`: as in AssociateFrame.
 Map WithPassedFrames(const std::vector<MapFrame>& frames, const Map& map,
                      std::optional<double> seconds_between);
 

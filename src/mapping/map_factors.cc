@@ -41,22 +41,32 @@ bool OdometryCost::Evaluate(double const* const* parameters, double* residuals, 
 
 ObjectCost::ObjectCost(const ObjectFactor& factor) : factor_(factor) {
   const int modes = static_cast<int>(factor.at.coefficients.size());
-  mutable_parameter_block_sizes()->assign({7, 7, modes});
+  mutable_parameter_block_sizes()->assign({7, 7, modes, 1});
   set_num_residuals(6 + modes);
 }
 
+// Size: with k = exp(-log size), the object is seen at (R, k t), T_camera_object = (R, t). A step (w, v) of
+// T_camera_object on its right is one of (w, k v) there; and k changes by -k, which is a step of -k R^T t.
 bool ObjectCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Index modes = factor_.at.coefficients.size(), rows = 6 + modes;
-  const RelativePoseError error(factor_.at.T_camera_object.inverse(), FromBlock(parameters[0]),
-                                FromBlock(parameters[1]));
+  const RelativePoseError metric(Eigen::Isometry3d::Identity(), FromBlock(parameters[0]),
+                                 FromBlock(parameters[1]));
+  const double k = std::exp(-parameters[3][0]);
+  const Eigen::Isometry3d seen = SeenAtUnitSize(metric.T_from_to, parameters[3][0]);
+  const RelativePoseError error(factor_.at.T_camera_object.inverse(), Eigen::Isometry3d::Identity(), seen);
   Eigen::Map<Eigen::VectorXd> r(residuals, rows);
   r = factor_.b;
   r.noalias() += factor_.A.leftCols<6>() * error.e;
   r.noalias() += factor_.A.rightCols(modes) *
                  (Eigen::Map<const Eigen::VectorXd>(parameters[2], modes) - factor_.at.coefficients);
   if (!jacobians) return true;
-  const Eigen::Matrix<double, Eigen::Dynamic, 6> by_object = factor_.A.leftCols<6>() * error.ByTo();
-  if (jacobians[0]) StoreByStep(by_object * error.ToByFrom(), jacobians[0]);
+  Eigen::Matrix<double, Eigen::Dynamic, 6> by_object = factor_.A.leftCols<6>() * error.ByTo();
+  if (jacobians[3]) {
+    Eigen::Map<Eigen::VectorXd>(jacobians[3], rows) =
+        -by_object.rightCols<3>() * (seen.linear().transpose() * seen.translation());
+  }
+  by_object.rightCols<3>() *= k;
+  if (jacobians[0]) StoreByStep(by_object * metric.ToByFrom(), jacobians[0]);
   if (jacobians[1]) StoreByStep(by_object, jacobians[1]);
   if (jacobians[2]) RowMajorMap(jacobians[2], rows, modes) = factor_.A.rightCols(modes);
   return true;
@@ -82,17 +92,18 @@ FloorCost::FloorCost(const GraphObject& object, double sigma) : sigma_(sigma) {
   const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
   point_ = lowest.X0;
   by_shape_ = lowest.G;
-  mutable_parameter_block_sizes()->assign({7, static_cast<int>(lowest.G.cols()), 3, 1});
+  mutable_parameter_block_sizes()->assign({7, static_cast<int>(lowest.G.cols()), 1, 3, 1});
   set_num_residuals(1);
 }
 
 bool FloorCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const Eigen::Isometry3d T_world_object = FromBlock(parameters[0]);
   const Eigen::Map<const Eigen::VectorXd> coefficients(parameters[1], by_shape_.cols());
-  const Eigen::Map<const Eigen::Vector3d> up(parameters[2]);
-  const Eigen::Vector3d point = point_ + by_shape_ * coefficients;
+  const double size = std::exp(parameters[2][0]);
+  const Eigen::Map<const Eigen::Vector3d> up(parameters[3]);
+  const Eigen::Vector3d point = size * (point_ + by_shape_ * coefficients);
   const Eigen::Vector3d point_world = T_world_object * point;
-  residuals[0] = (up.dot(point_world) - parameters[3][0]) / sigma_;
+  residuals[0] = (up.dot(point_world) - parameters[4][0]) / sigma_;
   if (!jacobians) return true;
   const Eigen::RowVector3d up_object = up.transpose() * T_world_object.linear();
   if (jacobians[0]) {
@@ -100,9 +111,10 @@ bool FloorCost::Evaluate(double const* const* parameters, double* residuals, dou
     J << -up_object * Skew(point) / sigma_, up_object / sigma_, 0;
   }
   if (jacobians[1])
-    Eigen::Map<Eigen::RowVectorXd>(jacobians[1], by_shape_.cols()) = up_object * by_shape_ / sigma_;
-  if (jacobians[2]) Eigen::Map<Eigen::Vector3d>{jacobians[2]} = point_world / sigma_;
-  if (jacobians[3]) jacobians[3][0] = -1 / sigma_;
+    Eigen::Map<Eigen::RowVectorXd>(jacobians[1], by_shape_.cols()) = size * up_object * by_shape_ / sigma_;
+  if (jacobians[2]) jacobians[2][0] = up_object.dot(point) / sigma_;
+  if (jacobians[3]) Eigen::Map<Eigen::Vector3d>{jacobians[3]} = point_world / sigma_;
+  if (jacobians[4]) jacobians[4][0] = -1 / sigma_;
   return true;
 }
 

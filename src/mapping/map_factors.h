@@ -22,7 +22,7 @@ class OdometryCost : public ceres::SizedCostFunction<6, 7, 7, 1, 1> {
   OdometryFactor factor_;
 };
 
-// Blocks: camera, object, coefficients. 6 + B residuals.
+// Blocks: camera, object, coefficients, log size. 6 + B residuals.
 class ObjectCost : public ceres::CostFunction {
  public:
   explicit ObjectCost(const ObjectFactor& factor);
@@ -42,8 +42,8 @@ class UprightCost : public ceres::SizedCostFunction<3, 7, 3> {
   double sigma_;  // radians
 };
 
-// The object stands on the floor. Blocks: object, coefficients, up (3), floor's height along up. 1 residual:
-// (up . X - height) / sigma, X the object's lowest point.
+// The object stands on the floor. Blocks: object, coefficients, log size, up (3), floor's height along up. 1
+// residual: (up . X - height) / sigma, X the object's lowest point.
 class FloorCost : public ceres::CostFunction {
  public:
   FloorCost(const GraphObject& object, double sigma);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <vector>
 
 #include "association/object_view.h"
@@ -27,7 +28,18 @@ struct GraphObject {
   const CategoryModel* model = nullptr;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
   Eigen::VectorXd coefficients;                                      // standard deviations
+  // Of the factor by which all of it is larger than the category's shape: what is mapped stands in a room of
+  // one scale, and furniture differs in size.
+  double log_size = 0;
 };
+
+// How one camera sees an object: as one of the category's own size would be seen that is so much nearer. Both
+// have the same picture.
+inline Eigen::Isometry3d SeenAtUnitSize(const Eigen::Isometry3d& T_camera_object, double log_size) {
+  Eigen::Isometry3d seen = T_camera_object;
+  seen.translation() *= std::exp(-log_size);
+  return seen;
+}
 
 // The odometry's step between two cameras: e = Log(Z_ij^-1 X_i^-1 X_j), X = T_world_camera, Z_ij its relative
 // pose with the translation times exp(s), s = (1 - share) s[knot] + share s[knot + 1].
@@ -56,6 +68,7 @@ struct MapGraph {
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
   ScaleEstimate expected_scale;
   bool scale_is_held = false;          // log_scale stays as it is
+  bool sizes_are_held = true;          // log_size stays as it is
   bool cameras_are_held = false;       // only objects move
   Eigen::Vector3d up_world{0, -1, 0};  // unit
   double up_sigma = 0.05;              // radians, of up_world as given

@@ -181,4 +181,17 @@ void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& 
   }
 }
 
+void AddViewFactors(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph) {
+  for (size_t i = 0; i < frames.size(); ++i) {
+    for (size_t j = 0; j < frames[i].observations.size(); ++j) {
+      if (phi[i][j] < 0) continue;
+      const MapObservation& observation = frames[i].observations[j];
+      const PlacedView view{static_cast<int>(i), &observation,
+                            graph.T_world_camera[i] * observation.measured.T_camera_object};
+      graph.observations.push_back(MakeViewFactor(view, graph.objects[static_cast<size_t>(phi[i][j])]));
+      graph.observations.back().object = phi[i][j];
+    }
+  }
+}
+
 }  // namespace armature

@@ -28,6 +28,9 @@ ObjectOfObservation BreakTracks(const std::vector<MapFrame>& frames, double rece
 // Views that see the front where most see the back say nothing of the turn.
 void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph);
 
+// Adds the single views of phi about the objects that the graph has.
+void AddViewFactors(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph);
+
 // How far b is turned about its y axis against a, radians.
 double YawBetween(const Eigen::Isometry3d& T_world_a, const Eigen::Isometry3d& T_world_b);
 

@@ -24,6 +24,8 @@ namespace {
 
 // Of the scale's logarithm: what the front end has learnt is never surer, its views' errors are alike.
 constexpr double kLeastExpectedSigma = 0.1;
+// Standard deviations, of the Cauchy loss on sizes: some furniture is of another kind, as coffee tables.
+constexpr double kSizeLossScale = 2;
 
 // The mean height along up of what the objects stand on, metres.
 double FloorBelow(const MapGraph& graph) {
@@ -31,7 +33,8 @@ double FloorBelow(const MapGraph& graph) {
   for (const GraphObject& object : graph.objects) {
     if (!object.model->spec.stands_on_floor) continue;
     const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
-    sum += graph.up_world.dot(object.T_world_object * (lowest.X0 + lowest.G * object.coefficients));
+    sum += graph.up_world.dot(object.T_world_object *
+                              (std::exp(object.log_size) * (lowest.X0 + lowest.G * object.coefficients)));
     ++count;
   }
   return count > 0 ? sum / count : 0;
@@ -41,7 +44,7 @@ double FloorBelow(const MapGraph& graph) {
 struct Blocks {
   std::vector<PoseBlock> cameras, objects;
   std::vector<Eigen::VectorXd> shapes;
-  std::vector<double> log_scale;
+  std::vector<double> log_size, log_scale;
   Eigen::Vector3d up;
   double floor = 0;  // metres, along up
 
@@ -50,6 +53,7 @@ struct Blocks {
     for (const GraphObject& object : graph.objects) {
       objects.push_back(ToBlock(object.T_world_object));
       shapes.push_back(object.coefficients);
+      log_size.push_back(object.log_size);
     }
     floor = FloorBelow(graph);
   }
@@ -98,13 +102,21 @@ void AddObjects(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
     const Eigen::MatrixXd shape_weight = options.shape_weight * Eigen::MatrixXd::Identity(modes, modes);
     problem.AddResidualBlock(new ceres::NormalPrior(shape_weight, Eigen::VectorXd::Zero(modes)), nullptr,
                              shape);
+    problem.AddParameterBlock(&blocks.log_size[o], 1);
+    if (graph.sizes_are_held) {
+      problem.SetParameterBlockConstant(&blocks.log_size[o]);
+    } else {
+      const Eigen::Matrix<double, 1, 1> weight(1 / graph.objects[o].model->spec.size_sigma), mean(0.0);
+      problem.AddResidualBlock(new ceres::NormalPrior(weight, mean), new ceres::CauchyLoss(kSizeLossScale),
+                               &blocks.log_size[o]);
+    }
     if (options.upright_sigma_deg > 0) {
       problem.AddResidualBlock(new UprightCost(options.upright_sigma_deg * kDegree), nullptr, pose,
                                blocks.up.data());
     }
     if (options.floor_sigma > 0 && graph.objects[o].model->spec.stands_on_floor) {
       problem.AddResidualBlock(new FloorCost(graph.objects[o], options.floor_sigma), nullptr, pose, shape,
-                               blocks.up.data(), &blocks.floor);
+                               &blocks.log_size[o], blocks.up.data(), &blocks.floor);
     }
   }
 }
@@ -116,7 +128,8 @@ void AddObservations(const MapGraph& graph, const MapSolverOptions& options, Blo
     const double scale = options.loss_scale * std::sqrt(static_cast<double>(factor.b.size()));
     problem.AddResidualBlock(new ObjectCost(factor), new ceres::CauchyLoss(scale),
                              blocks.cameras[static_cast<size_t>(factor.camera)].data(),
-                             blocks.objects[object].data(), blocks.shapes[object].data());
+                             blocks.objects[object].data(), blocks.shapes[object].data(),
+                             &blocks.log_size[object]);
   }
 }
 
@@ -127,6 +140,7 @@ void Store(const Blocks& blocks, MapGraph& graph) {
   for (size_t o = 0; o < blocks.objects.size(); ++o) {
     graph.objects[o].T_world_object = FromBlock(blocks.objects[o].data());
     graph.objects[o].coefficients = blocks.shapes[o];
+    graph.objects[o].log_size = blocks.log_size[o];
   }
   graph.log_scale = blocks.log_scale;
   graph.up_world = blocks.up;
@@ -170,6 +184,7 @@ std::vector<double*> FreeBlocks(Blocks& blocks, const ceres::Problem& problem) {
   for (PoseBlock& camera : blocks.cameras) all.push_back(camera.data());
   for (PoseBlock& object : blocks.objects) all.push_back(object.data());
   for (Eigen::VectorXd& shape : blocks.shapes) all.push_back(shape.data());
+  for (double& value : blocks.log_size) all.push_back(&value);
   all.push_back(blocks.up.data());
   all.push_back(&blocks.floor);
   for (double& value : blocks.log_scale) all.push_back(&value);

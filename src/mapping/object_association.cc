@@ -52,8 +52,8 @@ int Together(const Seen& a, const Seen& b) {
 }
 
 OrientedBox MakeBox(const GraphObject& object) {
-  return {object.T_world_object,
-          BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
+  return {object.T_world_object, std::exp(object.log_size) * BoundingBoxSize(WireframeFromCoefficients(
+                                                                 *object.model, object.coefficients))};
 }
 
 // Travelled length in metres at each camera; turning counts as well, a metre for a radian.
@@ -264,7 +264,9 @@ std::vector<int> AssociateFrame(const std::vector<GraphObject>& objects, const s
     if (seconds_between && (frame.timestamp < spans[o].first - *seconds_between ||
                             frame.timestamp > spans[o].last + *seconds_between))
       continue;
-    const PoseAndShape object{T_world_camera.inverse() * objects[o].T_world_object, objects[o].coefficients};
+    const PoseAndShape object{
+        SeenAtUnitSize(T_world_camera.inverse() * objects[o].T_world_object, objects[o].log_size),
+        objects[o].coefficients};
     if (object.T_camera_object.translation().z() < 0.1) continue;
     const auto expected = ExpectedBox(*frame.camera, *objects[o].model, object);
     if (!expected) continue;
@@ -276,18 +278,6 @@ std::vector<int> AssociateFrame(const std::vector<GraphObject>& objects, const s
     }
   }
   return Assign(costs);
-}
-
-ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi,
-                                        std::optional<double> seconds_between) {
-  const std::vector<TimeSpan> spans = SeenSpans(graph.objects.size(), frames, phi);
-  ObjectOfObservation result;
-  for (size_t i = 0; i < frames.size(); ++i) {
-    result.push_back(AssociateFrame(graph.objects, spans, WithoutEvidence(frames[i]), graph.T_world_camera[i],
-                                    seconds_between));
-  }
-  return result;
 }
 
 }  // namespace armature

@@ -40,12 +40,6 @@ void ApplyMerge(const Merge& merge, MapGraph& graph, ObjectOfObservation& phi);
 // Takes objects without any observation out of graph and phi; later objects move up.
 void DropUnseen(MapGraph& graph, ObjectOfObservation& phi);
 
-// Every detection of every frame to the object whose projection fits its box best, one-to-one in a frame.
-// Objects are candidates within `seconds_between` of the observations that phi gives them now.
-ObjectOfObservation AssociateDetections(const MapGraph& graph, const std::vector<MapFrame>& frames,
-                                        const ObjectOfObservation& phi,
-                                        std::optional<double> seconds_between);
-
 // First and last time at which an object is seen, seconds.
 struct TimeSpan {
   double first = 1e18, last = -1e18;
@@ -55,7 +49,8 @@ struct TimeSpan {
 std::vector<TimeSpan> SeenSpans(size_t objects, const std::vector<MapFrame>& frames,
                                 const ObjectOfObservation& phi);
 
-// The detections of one frame to the objects, as AssociateDetections does: each detection's object.
+// Each detection of the frame to the object whose projection fits its box best, one-to-one; -1: to none.
+// Objects are candidates within `seconds_between` of their spans.
 std::vector<int> AssociateFrame(const std::vector<GraphObject>& objects, const std::vector<TimeSpan>& spans,
                                 const PassedFrame& frame, const Eigen::Isometry3d& T_world_camera,
                                 std::optional<double> seconds_between);

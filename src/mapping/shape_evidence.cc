@@ -28,7 +28,8 @@ Eigen::MatrixXd JointInformation(const MapGraph& graph, int object, const MapSol
     J.rightCols<1>() =
         factor.A.middleCols<3>(3) * (T_camera_object.linear().transpose() * T_camera_object.translation());
     // Cauchy: rho(r^2) = c^2 log(1 + r^2 / c^2), its derivative is the weight.
-    const double squared = Residual(factor, {T_camera_object, of.coefficients}).squaredNorm();
+    const double squared =
+        Residual(factor, {SeenAtUnitSize(T_camera_object, of.log_size), of.coefficients}).squaredNorm();
     const double c2 = options.loss_scale * options.loss_scale * static_cast<double>(factor.b.size());
     H += J.transpose() * J / (1 + squared / c2);
   }

@@ -2,12 +2,17 @@
 #include "mapping/solve_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "mapping/estimate_over_views.h"
 #include "mapping/far_start.h"
+#include "mapping/object_evidence.h"
+#include "mapping/object_search.h"
+#include "mapping/seen_objects.h"
 
 namespace armature {
 namespace {
@@ -16,6 +21,16 @@ constexpr double kLeastScaleSigma = 0.005;  // of the map's scale, when shapes a
 // Of one object's size as the map has it, share: what the graph does not know of, wrong matches and furniture
 // of other sizes than its category's. With six objects, the scale scattered by 5 % over 20 harmless changes.
 constexpr double kObjectSizeSigma = 0.12;
+
+// Of objects that stay in the map, in the first pass and in the last.
+constexpr std::array kLeastProbability{0.2, 0.3};
+
+struct MapInput {
+  const std::vector<MapFrame>& frames;
+  const BoxOptions& box;
+  const ResectionOptions& resection;
+  const MappingOptions& options;
+};
 
 // Bearings that disagree would rather have the camera travel less: while single views with their errors of
 // depth are all there is, the scale stays as the front end learnt it.
@@ -66,17 +81,100 @@ void MergeOverlapping(const std::vector<MapFrame>& frames, const MappingOptions&
     ApplyMerge(merges.front(), graph, phi);
 }
 
-void Refine(const std::vector<MapFrame>& frames, const BoxOptions& box, const ResectionOptions& resection,
-            const MappingOptions& options, MapGraph& graph, ObjectOfObservation& phi) {
+void Refine(const MapInput& input, MapGraph& graph, ObjectOfObservation& phi) {
+  const MappingOptions& options = input.options;
   MapSolverOptions solver = options.solver;
   solver.max_iterations = kRefinementSteps;
   for (int round = 0; round < options.refinement.rounds; ++round) {
-    MergeOverlapping(frames, options, graph, phi);
-    phi = AssociateDetections(graph, frames, phi, SecondsBetween(options));
-    Relinearise(frames, phi, round, box, resection, options.refinement, graph);
+    if (!graph.observations.empty()) MergeOverlapping(input.frames, options, graph, phi);
+    Relinearise(input.frames, phi, round, input.box, input.resection, options.refinement, graph);
     DropUnseen(graph, phi);
     SolveMapGraph(graph, solver);
   }
+}
+
+// Anew, by all detections, where the graph has the cameras.
+ObjectOfObservation FindObjects(const MapInput& input, MapGraph& graph) {
+  ObjectSearchOptions options;
+  options.least_observations = input.options.min_observations;
+  std::vector<ObjectCandidate> found = SearchObjects(input.frames, graph.T_world_camera, options);
+  if (const auto seconds = SecondsBetween(input.options))
+    found = BreakAtGaps(input.frames, found, *seconds, options.least_observations);
+  ObjectOfObservation phi;
+  for (const MapFrame& frame : input.frames) phi.emplace_back(frame.observations.size(), -1);
+  graph.objects.clear();
+  graph.observations.clear();
+  for (ObjectCandidate& candidate : found) {
+    for (const auto& [i, j] : candidate.views) phi[i][j] = static_cast<int>(graph.objects.size());
+    graph.objects.push_back(std::move(candidate.object));
+  }
+  return phi;
+}
+
+// Each by itself, the cameras held.
+void EstimateObjects(const MapInput& input, const ObjectOfObservation& phi, MapGraph& graph) {
+  std::vector<SeenObjects> seen(input.frames.size());
+  std::vector<std::vector<std::pair<size_t, size_t>>> views(graph.objects.size());
+  for (size_t i = 0; i < input.frames.size(); ++i) {
+    const std::vector<MapObservation>& observations = input.frames[i].observations;
+    if (!observations.empty()) seen[i] = SeeObjects(graph, i, *observations.front().view.camera);
+    for (size_t j = 0; j < phi[i].size(); ++j) {
+      if (phi[i][j] >= 0) views[static_cast<size_t>(phi[i][j])].emplace_back(i, j);
+    }
+  }
+  std::vector<GraphObject> estimated;
+  for (size_t o = 0; o < graph.objects.size(); ++o) {
+    estimated.push_back(
+        EstimateOverViews({input.frames, graph, seen, input.box, input.resection}, o, views[o]));
+  }
+  graph.objects = std::move(estimated);
+}
+
+void DropUnlikely(const MapInput& input, double least_probability, MapGraph& graph,
+                  ObjectOfObservation& phi) {
+  const std::vector<ObjectEvidence> evidence = CollectEvidence(input.frames, phi, graph, input.box);
+  std::erase_if(graph.observations, [&](const ObjectFactor& factor) {
+    return ComputeProbability(evidence[static_cast<size_t>(factor.object)]) < least_probability;
+  });
+  DropUnseen(graph, phi);
+}
+
+// Without the images' lines: what the front end's tracks and single views say.
+ObjectOfObservation SolveFromTracks(const std::vector<MapFrame>& frames, const MappingOptions& options,
+                                    MapGraph& graph) {
+  ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
+  AddObjects(frames, phi, graph);
+  MergeWhileSolving(frames, options, graph, phi);
+  return phi;
+}
+
+// The odometry drifts: what is seen again after a long way is found twice, side by side. Where single views
+// say that two are one, they are, and the cameras go where that is so.
+void CloseLoops(const MapInput& input, MapGraph& graph, ObjectOfObservation& phi) {
+  MapGraph merged = graph;
+  ObjectOfObservation merged_phi = phi;
+  AddViewFactors(input.frames, phi, merged);
+  MergeWhileSolving(input.frames, input.options, merged, merged_phi);
+  if (merged.objects.size() == graph.objects.size()) return;
+  graph = std::move(merged);
+  graph.observations.clear();
+  phi = std::move(merged_phi);
+}
+
+// By all detections and lines, whatever the front end made of them. The first pass brings cameras and scale
+// near; what it took for objects and was none bent them, so the second begins anew.
+ObjectOfObservation SolveFromDetections(const MapInput& input, MapGraph& graph) {
+  ObjectOfObservation phi;
+  graph.sizes_are_held = false;
+  for (const double least_probability : kLeastProbability) {
+    phi = FindObjects(input, graph);
+    CloseLoops(input, graph, phi);
+    EstimateObjects(input, phi, graph);
+    Refine(input, graph, phi);
+    DropUnlikely(input, least_probability, graph, phi);
+    Refine(input, graph, phi);
+  }
+  return phi;
 }
 
 // Objects that enough observations support, numbered in the order in which they are first seen.
@@ -98,7 +196,7 @@ void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, const M
         const GraphObject& object = graph.objects[o];
         const std::string& category = object.model->spec.name;
         map.objects.push_back({category + std::to_string(numbers[category]++), object.model,
-                               object.T_world_object, object.coefficients, observations[o],
+                               object.T_world_object, object.coefficients, object.log_size, observations[o],
                                ComputeShapeEvidence(graph, of_frame[j], scale_sigma, options.solver)});
       }
       map.phi.back()[j] = kept[o];
@@ -174,7 +272,8 @@ std::optional<double> SecondsBetween(const MappingOptions& options) {
 }
 
 Eigen::Vector3d MapObject::Size() const {
-  return BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) + 2 * model->spec.padding;
+  return std::exp(log_size) *
+         (BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) + 2 * model->spec.padding);
 }
 
 double Map::MeanScale() const {
@@ -189,11 +288,14 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
     const Eigen::Vector3d by = map.MeanScale() * *start;
     return Moved(std::move(map), by);
   }
-  MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
-  ObjectOfObservation phi = BreakTracks(frames, options.recent_seconds, options.min_observations);
-  AddObjects(frames, phi, graph);
-  MergeWhileSolving(frames, options, graph, phi);
-  Refine(frames, box, resection, options, graph, phi);
+  if (options.refinement.rounds == 0) {
+    MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
+    const ObjectOfObservation phi = SolveFromTracks(frames, options, graph);
+    return ToMap(frames, graph, phi, options);
+  }
+  const ScaleEstimate scale = SearchScale(frames, expected_scale, options.min_observations);
+  MapGraph graph = MakeOdometryGraph(frames, scale, options.odometry);
+  const ObjectOfObservation phi = SolveFromDetections({frames, box, resection, options}, graph);
   return ToMap(frames, graph, phi, options);
 }
 
@@ -213,6 +315,7 @@ Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const M
   for (size_t o = 0; o < graph.objects.size(); ++o) {
     placed.objects[o].T_world_object = graph.objects[o].T_world_object;
     placed.objects[o].coefficients = graph.objects[o].coefficients;
+    placed.objects[o].log_size = graph.objects[o].log_size;
   }
   return placed;
 }

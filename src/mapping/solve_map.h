@@ -36,6 +36,7 @@ struct MapObject {
   const CategoryModel* model = nullptr;
   Eigen::Isometry3d T_world_object = Eigen::Isometry3d::Identity();  // metres
   Eigen::VectorXd coefficients;                                      // standard deviations
+  double log_size = 0;     // of the factor by which it is larger than that shape
   int observations = 0;    // detections that the map explains with it
   ShapeEvidence evidence;  // of the shape, without the category's prior; of placed by odometry: the map's
 
