@@ -93,6 +93,20 @@ TEST(CategoryYaml, PaddingIsOneLengthOrOneForEachAxis) {
   ExpectInputError([&] { padding("[0.01, wide, 0]"); }, {"spec.yaml:20", "padding", "wide"});
 }
 
+TEST(CategoryYaml, HowMuchSizesDifferIsPositive) {
+  const TempFolder folder;
+  const auto size_sigma = [&](const std::string& value) {
+    std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
+    const size_t at = text.find("\nsize_sigma:");
+    text.replace(at, text.find('\n', at + 1) - at, value.empty() ? "" : "\nsize_sigma: " + value);
+    return LoadCategorySpec(folder.Write("spec.yaml", text)).size_sigma;
+  };
+  EXPECT_EQ(size_sigma("0.2"), 0.2);
+  EXPECT_EQ(size_sigma(""), CategorySpec{}.size_sigma);
+  for (const char* bad : {"0", "-0.1"})
+    ExpectInputError([&] { size_sigma(bad); }, {"spec.yaml", "size_sigma"});
+}
+
 TEST(CategoryYaml, ASlabIsReadAndWrittenWhereItIsUsed) {
   const TempFolder folder;
   const auto spec = [&](const std::string& from, const std::string& to) {
