@@ -77,13 +77,17 @@ TEST(CategoryYaml, WritingWhereAFileIsInTheWayIsAnError) {
                    {"notes/table.yaml", "folder"});
 }
 
+// The table's specification with another value of a key, or without it.
+std::string TableSpecWith(const std::string& key, const std::string& value) {
+  std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
+  const size_t at = text.find("\n" + key + ":");
+  return text.replace(at, text.find('\n', at + 1) - at, value.empty() ? "" : "\n" + key + ": " + value);
+}
+
 TEST(CategoryYaml, PaddingIsOneLengthOrOneForEachAxis) {
   const TempFolder folder;
   const auto padding = [&](const std::string& value) {
-    std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
-    const size_t at = text.find("\npadding:");
-    text.replace(at, text.find('\n', at + 1) - at, value.empty() ? "" : "\npadding: " + value);
-    return LoadCategorySpec(folder.Write("spec.yaml", text)).padding;
+    return LoadCategorySpec(folder.Write("spec.yaml", TableSpecWith("padding", value))).padding;
   };
   EXPECT_EQ(padding("0.02"), Eigen::Vector3d(0.02, 0.02, 0.02));
   EXPECT_EQ(padding("[0.01, 0.02, 0]"), Eigen::Vector3d(0.01, 0.02, 0));
@@ -96,10 +100,7 @@ TEST(CategoryYaml, PaddingIsOneLengthOrOneForEachAxis) {
 TEST(CategoryYaml, HowMuchSizesDifferIsPositive) {
   const TempFolder folder;
   const auto size_sigma = [&](const std::string& value) {
-    std::string text = ReadFile(CategoryFolder() / "specs/table.yaml");
-    const size_t at = text.find("\nsize_sigma:");
-    text.replace(at, text.find('\n', at + 1) - at, value.empty() ? "" : "\nsize_sigma: " + value);
-    return LoadCategorySpec(folder.Write("spec.yaml", text)).size_sigma;
+    return LoadCategorySpec(folder.Write("spec.yaml", TableSpecWith("size_sigma", value))).size_sigma;
   };
   EXPECT_EQ(size_sigma("0.2"), 0.2);
   EXPECT_EQ(size_sigma(""), CategorySpec{}.size_sigma);

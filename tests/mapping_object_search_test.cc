@@ -12,20 +12,10 @@
 namespace armature {
 namespace {
 
+using testing::FurnishRoom;
 using testing::MapWorld;
-using testing::WorldNoise;
 
 constexpr double kUnit = 2.65;  // metres a unit of odometry
-
-void FurnishRoom(MapWorld& world, int cameras = 30) {
-  world.Put("chair", -0.8, 2.6, 160, 0.6);
-  world.Put("chair", 0.9, 2.3, -130, -0.4);
-  world.Put("table", 0.1, 3.6, 20, 0.3);
-  for (int i = 0; i < cameras; ++i) {
-    const double share = i / (cameras - 1.0);
-    world.Look(-1.2 * share + 0.4 * std::sin(6 * share), 0.9 * share, 0.1, 2.8);
-  }
-}
 
 std::vector<MapFrame> WithoutTracks(std::vector<MapFrame> frames) {
   for (MapFrame& frame : frames) {
@@ -47,7 +37,7 @@ double NearestTruth(const ObjectCandidate& found, const MapWorld& world) {
 
 TEST(SearchObjects, FindsEachOnceWithAllItsViewsAndWithoutTracks) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   const auto found = SearchObjects(WithoutTracks(world.Frames({.depth = 0.05})), world.T_world_camera, {});
   ASSERT_EQ(found.size(), 3u);
   for (const ObjectCandidate& candidate : found) {
@@ -59,7 +49,7 @@ TEST(SearchObjects, FindsEachOnceWithAllItsViewsAndWithoutTracks) {
 
 TEST(SearchObjects, SingleViewsThatAreAllTooNearDoNotMatter) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   std::vector<MapFrame> frames = world.Frames({});
   for (MapFrame& frame : frames) {
     for (MapObservation& observation : frame.observations)
@@ -78,7 +68,7 @@ TEST(SearchObjects, AFewDetectionsAreNoObject) {
 
 TEST(SearchObjects, NothingToFindInFramesWithoutDetections) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   world.furniture.clear();
   EXPECT_TRUE(SearchObjects(world.Frames({}), world.T_world_camera, {}).empty());
 }
@@ -102,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(TimesTheTruth, SearchScaleFromAnyStart, ::testing::Valu
 
 TEST_P(SearchScaleFromAnyStart, IsNearTheTruth) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   const auto frames = WithoutTracks(world.Frames({.depth = 0.05, .unit = kUnit}));
   const ScaleEstimate scale = SearchScale(frames, {GetParam() * kUnit, 0.5}, 4);
   EXPECT_NEAR(std::log(scale.scale / kUnit), 0, 0.15);
@@ -110,7 +100,7 @@ TEST_P(SearchScaleFromAnyStart, IsNearTheTruth) {
 
 TEST(SearchScale, WhatIsKnownStays) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   const ScaleEstimate scale = SearchScale(world.Frames({}), {1, 0}, 4);
   EXPECT_EQ(scale.scale, 1);
   EXPECT_EQ(scale.sigma, 0);
@@ -118,7 +108,7 @@ TEST(SearchScale, WhatIsKnownStays) {
 
 TEST(SearchScale, ACameraThatStandsTellsNothing) {
   MapWorld world;
-  FurnishRoom(world);
+  FurnishRoom(world, 30);
   for (Eigen::Isometry3d& pose : world.T_world_camera) pose.translation().setZero();
   EXPECT_EQ(SearchScale(world.Frames({}), {2, 0.5}, 4).scale, 2);
 }
@@ -132,7 +122,7 @@ struct Displaced {
   std::vector<std::pair<size_t, size_t>> views;
 
   explicit Displaced(const Eigen::Isometry3d& by) {
-    FurnishRoom(world);
+    FurnishRoom(world, 30);
     frames = world.Frames({});
     graph.T_world_camera = world.T_world_camera;
     graph.up_world = {0, -1, 0};

@@ -14,6 +14,7 @@
 namespace armature {
 namespace {
 
+using testing::FurnishRoom;
 using testing::MapWorld;
 using testing::TrueFurniture;
 using testing::WorldNoise;
@@ -79,17 +80,6 @@ void ExpectTrueMap(const Map& map, const MapWorld& world, double metres, double 
   EXPECT_LT(errors.size, metres);
   EXPECT_LT(errors.turn_deg, turn_deg);
   EXPECT_LT(TrajectoryError(map.T_world_camera, world), trajectory);
-}
-
-// Two chairs and a table; the camera goes past them in an arc.
-void FurnishRoom(MapWorld& world, int cameras = 40) {
-  world.Put("chair", -0.8, 2.6, 160, 0.6);
-  world.Put("chair", 0.9, 2.3, -130, -0.4);
-  world.Put("table", 0.1, 3.6, 20, 0.3);
-  for (int i = 0; i < cameras; ++i) {
-    const double share = i / (cameras - 1.0);
-    world.Look(-1.2 * share + 0.4 * std::sin(6 * share), 0.9 * share, 0.1, 2.8);
-  }
 }
 
 constexpr double kUnit = 2.65;            // metres a unit of odometry

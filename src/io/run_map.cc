@@ -51,7 +51,8 @@ std::vector<MapObject> ReadObjects(const fs::path& run, const std::vector<Catego
     objects.push_back({placed.id, &model, placed.T_world_object,
                        Eigen::Map<const Eigen::VectorXd>(placed.shape.data(), model.modes()), 0,
                        placed.observations, of_shape->second.evidence});
-    objects.back().log_size = std::log(placed.size.norm() / objects.back().Size().norm());
+    if (placed.size.norm() > 0)
+      objects.back().log_size = std::log(placed.size.norm() / objects.back().Size().norm());
   }
   return objects;
 }

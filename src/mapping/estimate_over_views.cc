@@ -11,6 +11,7 @@
 #include "association/matching.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
+#include "mapping/map_objects.h"
 
 namespace armature {
 namespace {
@@ -27,7 +28,6 @@ constexpr int kBoxSteps = 2, kRefiningRounds = 5, kStepsARound = 2;
 constexpr double kCoarseGate = 0.06, kFineGate = 4;  // of the box's diagonal; pixels
 constexpr double kCoarseAngle = 10 * kDegree, kFineAngle = 6 * kDegree;
 
-constexpr double kLineWeight = 12;                        // as of the single view's cost
 constexpr double kShapeWeight = 0.15, kViewsOfShape = 3;  // the shape costs once, not in each view
 constexpr double kPruneMargin = 3;                        // above the best, a view
 constexpr double kUprightSigma = 1.5 * kDegree;
@@ -81,9 +81,7 @@ std::optional<double> ComputeCost(const ViewsOfObject& views, const PlacedObject
     const ProjectedWireframe projected = ProjectSeen(seen, view.view, sides, view.occluders);
     seen.at.coefficients.setZero();
     sum += PriorCost(view.view, seen.at, seen.wireframe, sides, projected, views.box, {});
-    const double visible = projected.VisibleLength();
-    const double covered = CoveredLength(projected, view.view.segments, GateAt(view, progress));
-    sum += kLineWeight * (visible > 0 ? 1 - covered / visible : 1);
+    sum += LineCost(projected, CoveredLength(projected, view.view.segments, GateAt(view, progress)));
     if (sum > (bound + kPruneMargin) * views.count()) return std::nullopt;
   }
   return sum / views.count();
@@ -200,8 +198,7 @@ std::vector<PlacedObjectHypothesis> MakeHypothesesOverViews(const ViewsOfObject&
 }
 
 bool AreAlike(const PlacedObjectHypothesis& a, const PlacedObjectHypothesis& b, int symmetry_order) {
-  const Eigen::Matrix3d R_a_b = a.T_world_object.linear().transpose() * b.T_world_object.linear();
-  const double turn = AzimuthDifference(std::atan2(R_a_b(0, 2), R_a_b(2, 2)), 0, symmetry_order);
+  const double turn = AzimuthDifference(YawBetween(a.T_world_object, b.T_world_object), 0, symmetry_order);
   return std::abs(turn) < kAlikeTurn &&
          (a.T_world_object.translation() - b.T_world_object.translation()).norm() < kAlikeWay;
 }

@@ -2,8 +2,8 @@
 // The factor graph of paper 3.5: cameras, objects, and what ties them together.
 //
 // Unknowns: the cameras T_world_camera (the paper's Z_i^-1), the objects T_world_object (Z_O) with their
-// shapes, the odometry's scale, and up. The world is the odometry's frame in metres: the first camera stays
-// where the odometry has it.
+// shapes and sizes, the odometry's scale, and up. The world is the odometry's frame in metres: the first
+// camera stays where the odometry has it.
 //
 // Scale. Objects are metric, monocular odometry is not, and its unit drifts slowly as it goes. We keep
 // cameras and objects on SE(3), in metres, and let the odometry's steps be multiplied by exp(s), s the

@@ -174,11 +174,8 @@ void AddObjects(const std::vector<MapFrame>& frames, const ObjectOfObservation& 
     const PlacedView& medoid = Medoid(of_object);
     graph.objects.push_back(
         {medoid.observation->view.model, medoid.T_world_object, medoid.observation->measured.coefficients});
-    for (const PlacedView& view : of_object) {
-      graph.observations.push_back(MakeViewFactor(view, graph.objects.back()));
-      graph.observations.back().object = number;
-    }
   }
+  AddViewFactors(frames, phi, graph);
 }
 
 void AddViewFactors(const std::vector<MapFrame>& frames, const ObjectOfObservation& phi, MapGraph& graph) {

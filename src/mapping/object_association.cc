@@ -9,7 +9,6 @@
 
 #include "association/box_constraints.h"
 #include "geometry/assignment.h"
-#include "geometry/oriented_box.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "mapping/map_objects.h"
@@ -49,11 +48,6 @@ int Together(const Seen& a, const Seen& b) {
   int count = 0;
   for (const int camera : a.cameras) count += b.cameras.count(camera) ? 1 : 0;
   return count;
-}
-
-OrientedBox MakeBox(const GraphObject& object) {
-  return {object.T_world_object, std::exp(object.log_size) * BoundingBoxSize(WireframeFromCoefficients(
-                                                                 *object.model, object.coefficients))};
 }
 
 // Travelled length in metres at each camera; turning counts as well, a metre for a radian.
@@ -191,6 +185,11 @@ std::vector<Merge> FindRivals(const MergeCandidate& candidate,
 }
 
 }  // namespace
+
+OrientedBox MakeBox(const GraphObject& object) {
+  return {object.T_world_object, std::exp(object.log_size) * BoundingBoxSize(WireframeFromCoefficients(
+                                                                 *object.model, object.coefficients))};
+}
 
 std::vector<Merge> FindMerges(const MapGraph& graph, const std::vector<MapFrame>& frames,
                               std::optional<double> seconds_between,

@@ -3,12 +3,13 @@
 //
 // The front end strings observations together over the last seconds (tracks). Here, with all frames at hand:
 // tracks of one object become one object, also where the camera comes back to it after a loop (object loop
-// closure, OLC), and every single detection is given to the object whose projection fits its box.
+// closure, OLC). What no track is asked for is searched for by all detections (object_search.h).
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "geometry/oriented_box.h"
 #include "mapping/map_frame.h"
 #include "mapping/map_graph.h"
 
@@ -33,6 +34,9 @@ struct Merge {
 // closure); none: no limit.
 std::vector<Merge> FindMerges(const MapGraph& graph, const std::vector<MapFrame>& frames,
                               std::optional<double> seconds_between, const ObjectAssociationOptions& options);
+
+// Around the object's edges.
+OrientedBox MakeBox(const GraphObject& object);
 
 // Makes one object of two: observations, factors, phi; later objects move up.
 void ApplyMerge(const Merge& merge, MapGraph& graph, ObjectOfObservation& phi);

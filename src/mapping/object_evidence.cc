@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "association/matching.h"
+#include "base/statistics.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
 #include "mapping/seen_objects.h"
@@ -23,19 +24,12 @@ constexpr double kShownShare = 0.45;              // of the length of its edges;
 
 constexpr double kNoBoxError = 0.3;  // where all sides are cut or hidden
 
-double Median(std::vector<double> values, double otherwise) {
-  if (values.empty()) return otherwise;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 bool ShouldBeShown(const Camera& camera, const CategorySpec& spec, const SeenObject& object,
                    const std::vector<ImageFace>& occluders) {
   const double depth = object.at.T_camera_object.translation().z() * object.size;
   if (depth < kShownFrom || depth > kShownTo) return false;
-  ProjectedWireframe whole, shown;
-  ProjectEdges(camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5}, whole);
+  const ProjectedWireframe whole = ProjectWhole(object, camera);
+  ProjectedWireframe shown;
   ProjectWireframe(camera, spec, object.wireframe, object.at.T_camera_object,
                    Box{0, 0, camera.width - 1.0, camera.height - 1.0}, occluders, shown);
   double length = 0;
@@ -137,8 +131,8 @@ std::vector<ObjectEvidence> CollectEvidence(const std::vector<MapFrame>& frames,
     evidence.detected_share = (tally.detected + 1.0) / (tally.expected + 2.0);  // Laplace's rule
     evidence.coverage = Share(tally.covered, tally.visible);
     evidence.coverage_beside = Share(tally.covered_beside, tally.visible_beside);
-    evidence.box_error = Median(tally.box_errors, kNoBoxError);
-    if (!tally.turn_errors.empty()) evidence.turn_error = Median(tally.turn_errors, 0);
+    evidence.box_error = tally.box_errors.empty() ? kNoBoxError : Median(tally.box_errors);
+    if (!tally.turn_errors.empty()) evidence.turn_error = Median(tally.turn_errors);
     evidence.log_size = graph.objects[o].log_size;
     evidence.parallax = WidestAngle(tally.rays);
   }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <queue>
 
-#include "geometry/oriented_box.h"
+#include "mapping/object_association.h"
 
 namespace armature {
 namespace {
@@ -48,14 +48,16 @@ struct SeenView {
   Sides sides{}, size{};  // size: of the box along the axis that the side moves along
   std::array<bool, 4> is_cut{};
   Sides hidden{};  // probability
+  Sides fine{};    // standard deviation of a side that is boxed precisely, over the box's size
 };
 
 SeenView MakeSeenView(const std::vector<MapFrame>& frames, size_t i, size_t j) {
   const ObjectView& view = frames[i].observations[j].view;
   const Box& box = view.detection.box;
-  SeenView seen{i, j, view.model, {box.left(), box.top(), box.right(), box.bottom()}, {}, {}, {}};
+  SeenView seen{i, j, view.model, {box.left(), box.top(), box.right(), box.bottom()}, {}, {}, {}, {}};
   for (size_t side = 0; side < 4; ++side) {
     seen.size[side] = side % 2 == 0 ? box.width : box.height;
+    seen.fine[side] = std::hypot(kFine, kFinePixels / seen.size[side]);
     seen.is_cut[side] = view.sides[side] == BoxSide::kOpen;
     seen.hidden[side] = std::max(kHidden[side], view.hidden_probability[side]);
   }
@@ -73,9 +75,8 @@ std::optional<double> ComputeEvidence(const Sides& expected, const SeenView& see
     // Positive where the box goes on beyond what is expected.
     const double beyond = (is_low ? at - seen.sides[side] : seen.sides[side] - at) / seen.size[side];
     if (beyond > kFarthestSide || beyond < -4) return std::nullopt;
-    const double fine = std::hypot(kFine, kFinePixels / seen.size[side]);
     const double at_side =
-        kFineShare * Density(beyond, fine) + kRoughShare * Density(beyond, kRough) + kAnywhere;
+        kFineShare * Density(beyond, seen.fine[side]) + kRoughShare * Density(beyond, kRough) + kAnywhere;
     double of_side = (1 - seen.hidden[side]) * at_side + (beyond < 0 ? seen.hidden[side] : 0);
     if (seen.is_cut[side]) of_side = std::min(of_side, kCutLikelihood);
     likelihood *= of_side / kChance;
@@ -261,15 +262,10 @@ class Search {
     return object;
   }
 
-  static OrientedBox BoxOf(const GraphObject& object) {
-    return {object.T_world_object,
-            BoundingBoxSize(WireframeFromCoefficients(*object.model, object.coefficients))};
-  }
-
   static bool IsOccupied(const GraphObject& object, const std::vector<ObjectCandidate>& found) {
     return std::any_of(found.begin(), found.end(), [&](const ObjectCandidate& other) {
       return other.object.model == object.model &&
-             IntersectionOverUnion(BoxOf(other.object), BoxOf(object)) > kOccupied;
+             IntersectionOverUnion(MakeBox(other.object), MakeBox(object)) > kOccupied;
     });
   }
 

@@ -29,6 +29,13 @@ std::vector<ImageFace> Occluders(const SeenObjects& seen, size_t object, const O
   return others;
 }
 
+ProjectedWireframe ProjectWhole(const SeenObject& object, const Camera& camera) {
+  constexpr Box kEverywhere{-1e5, -1e5, 2e5, 2e5};
+  ProjectedWireframe projected;
+  ProjectEdges(camera, object.wireframe, object.at.T_camera_object, kEverywhere, projected);
+  return projected;
+}
+
 namespace {
 
 constexpr double kLikelyHidden = 0.5;  // by another detection that goes on beyond the side
@@ -45,9 +52,7 @@ BoxSides SidesSeen(const SeenObject& object, const ObjectView& view, const std::
                    const BoxOptions& options) {
   const Box& box = view.detection.box;
   BoxSides sides = SidesAtImageBorder(box, *view.camera);
-  ProjectedWireframe projected;
-  ProjectEdges(*view.camera, object.wireframe, object.at.T_camera_object, Box{-1e5, -1e5, 2e5, 2e5},
-               projected);
+  const ProjectedWireframe projected = ProjectWhole(object, *view.camera);
   const std::array<ExtremePoint, 4> extremes = Extremes(projected);
   const std::array<double, 4> beyond = {box.left() - extremes[0].pixel, box.top() - extremes[1].pixel,
                                         extremes[2].pixel - box.right(), extremes[3].pixel - box.bottom()};

@@ -27,6 +27,9 @@ SeenObjects SeeObjects(const MapGraph& graph, size_t camera, const Camera& intri
 // What hides one object: the faces of all others, and what its view has besides.
 std::vector<ImageFace> Occluders(const SeenObjects& seen, size_t object, const ObjectView& view);
 
+// The object's edges, also where they are outside of the image; not what of them is hidden.
+ProjectedWireframe ProjectWhole(const SeenObject& object, const Camera& camera);
+
 // Which sides of the box the object can be taken to end at, given where the map has it: those that the
 // image's border does not cut and where nothing hides that it goes on. (To take it for hidden wherever it
 // goes on beyond the box would make what is too near fit every box: the map would shrink.)

@@ -20,16 +20,15 @@ Eigen::MatrixXd JointInformation(const MapGraph& graph, int object, const MapSol
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
   for (const ObjectFactor& factor : graph.observations) {
     if (factor.object != object) continue;
-    const Eigen::Isometry3d T_camera_object =
-        graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * of.T_world_object;
+    const Eigen::Isometry3d T_camera_object = SeenAtUnitSize(
+        graph.T_world_camera[static_cast<size_t>(factor.camera)].inverse() * of.T_world_object, of.log_size);
     Eigen::MatrixXd J(factor.A.rows(), size);
     J.leftCols(6 + modes) = factor.A;
     // A larger world has the object farther away: t_camera_object exp(s), as a step on the right R^T t ds.
     J.rightCols<1>() =
         factor.A.middleCols<3>(3) * (T_camera_object.linear().transpose() * T_camera_object.translation());
     // Cauchy: rho(r^2) = c^2 log(1 + r^2 / c^2), its derivative is the weight.
-    const double squared =
-        Residual(factor, {SeenAtUnitSize(T_camera_object, of.log_size), of.coefficients}).squaredNorm();
+    const double squared = Residual(factor, {T_camera_object, of.coefficients}).squaredNorm();
     const double c2 = options.loss_scale * options.loss_scale * static_cast<double>(factor.b.size());
     H += J.transpose() * J / (1 + squared / c2);
   }

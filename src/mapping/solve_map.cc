@@ -272,8 +272,14 @@ std::optional<double> SecondsBetween(const MappingOptions& options) {
 }
 
 Eigen::Vector3d MapObject::Size() const {
-  return std::exp(log_size) *
-         (BoundingBoxSize(WireframeFromCoefficients(*model, coefficients)) + 2 * model->spec.padding);
+  return BoundingBoxSize(MakeWireframe()) + std::exp(log_size) * 2 * model->spec.padding;
+}
+
+Wireframe MapObject::MakeWireframe() const {
+  Wireframe wireframe = WireframeFromCoefficients(*model, coefficients);
+  wireframe.midpoints *= std::exp(log_size);
+  wireframe.directions *= std::exp(log_size);
+  return wireframe;
 }
 
 double Map::MeanScale() const {

@@ -40,6 +40,8 @@ struct MapObject {
   int observations = 0;    // detections that the map explains with it
   ShapeEvidence evidence;  // of the shape, without the category's prior; of placed by odometry: the map's
 
+  // Its edges, object frame, metres.
+  Wireframe MakeWireframe() const;
   // Along the object's axes, padding included, metres.
   Eigen::Vector3d Size() const;
 };

@@ -13,9 +13,8 @@ std::vector<ImageFace> OthersFaces(const Map& map, size_t object, const Eigen::I
   for (size_t o = 0; o < map.objects.size(); ++o) {
     if (o == object) continue;
     const MapObject& other = map.objects[o];
-    for (ImageFace& face :
-         ProjectFaces(camera, other.model->spec, WireframeFromCoefficients(*other.model, other.coefficients),
-                      T_world_camera.inverse() * other.T_world_object)) {
+    for (ImageFace& face : ProjectFaces(camera, other.model->spec, other.MakeWireframe(),
+                                        T_world_camera.inverse() * other.T_world_object)) {
       faces.push_back(std::move(face));
     }
   }

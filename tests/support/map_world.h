@@ -217,4 +217,15 @@ class MapWorld {
   std::deque<CategoryModel> models_;  // stays where it is
 };
 
+// Two chairs and a table; the camera goes past them in an arc.
+inline void FurnishRoom(MapWorld& world, int cameras = 40) {
+  world.Put("chair", -0.8, 2.6, 160, 0.6);
+  world.Put("chair", 0.9, 2.3, -130, -0.4);
+  world.Put("table", 0.1, 3.6, 20, 0.3);
+  for (int i = 0; i < cameras; ++i) {
+    const double share = i / (cameras - 1.0);
+    world.Look(-1.2 * share + 0.4 * std::sin(6 * share), 0.9 * share, 0.1, 2.8);
+  }
+}
+
 }  // namespace armature::testing

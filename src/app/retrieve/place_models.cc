@@ -56,7 +56,7 @@ PlacedScene PlaceModels(const RunRetrieval& retrieval, const std::filesystem::pa
     scene.id = object.id;
     scene.category = object.model->spec.name;
     scene.T_world_object = object.T_world_object;
-    scene.wireframe = WireframeFromCoefficients(*object.model, object.coefficients);
+    scene.wireframe = object.MakeWireframe();
     scene.cad = NearestSurface(found, object, root, placed.missing);
   }
   return placed;
