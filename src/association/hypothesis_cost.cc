@@ -41,13 +41,22 @@ double BoxCost(const ObjectView& view, const Eigen::Matrix3d& R_camera_object, c
   return cost;
 }
 
-// Of taking sides of the box to be hidden or not, where the image's border does not decide.
-double HiddenCost(const ObjectView& view, const BoxSides& sides) {
+// Of taking sides of the box to be hidden or not, where the image's border does not decide. A box whose side
+// is hidden may end anywhere along the object, one that is seen only where the object ends: by that ratio of
+// densities a hidden side is less likely. Without it whatever is too near would fit every box.
+double HiddenCost(const ObjectView& view, const BoxSides& sides, const BoxOptions& box_options) {
+  const Box& box = view.detection.box;
+  const auto [sigma_x, sigma_y] = SideSigmas(box, box_options);
   double cost = 0;
   for (size_t side = 0; side < 4; ++side) {
     const double p = view.hidden_probability[side];
     if (view.sides[side] == BoxSide::kOpen || p <= 0) continue;
-    cost -= std::log(sides[side] == BoxSide::kOpen ? p : 1 - p);
+    const double sigmas = side % 2 == 0 ? box.width / sigma_x : box.height / sigma_y;
+    if (sides[side] == BoxSide::kOpen) {
+      cost -= std::log(p) - std::max(0.0, std::log(sigmas / std::sqrt(2 * M_PI)));
+    } else {
+      cost -= std::log(1 - p);
+    }
   }
   return cost;
 }
@@ -98,7 +107,8 @@ double PriorCost(const ObjectView& view, const PoseAndShape& estimate, const Wir
              BoxCost(view, estimate.T_camera_object.linear(), sides, projected, box_options) +
          options.azimuth_weight * AzimuthCost(view, estimate.T_camera_object, options) +
          (view.track_prior ? TrackPriorCost(view, estimate, options) : ShapeCost(estimate)) +
-         kFloorWeight * FloorCost(view, estimate.T_camera_object, wireframe) + HiddenCost(view, sides);
+         kFloorWeight * FloorCost(view, estimate.T_camera_object, wireframe) +
+         HiddenCost(view, sides, box_options);
 }
 
 double LineCost(const ProjectedWireframe& projected, double covered_length) {
