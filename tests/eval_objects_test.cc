@@ -402,5 +402,25 @@ TEST(PlacedObjects, BadInput) {
   ExpectInputError([&] { ReadPlacedObjects(folder / "absent.csv"); }, {"absent.csv"});
 }
 
+TEST(PlacedObjects, BadInputOfWhatIsUnsure) {
+  const testing::TempFolder folder;
+  std::string header = MapText({});
+  header.insert(header.find('\n'), ",probability,covariance");
+  const std::string good = "a,chair,,0,0,0,0,0,0,1,0.4,0.9,0.5,3,0.5;-1,";
+  const auto refused = [&](const std::string& row, const std::vector<std::string>& expected) {
+    const auto file = folder.Write("objects.csv", header + good + row + "\n");
+    ExpectInputError([&] { ReadPlacedObjects(file); }, expected);
+  };
+  const auto unknown = ReadPlacedObjects(folder.Write("objects.csv", header + good + ",\n"));
+  EXPECT_FALSE(unknown[0].probability || unknown[0].covariance);
+  refused("1.5,", {"objects.csv:2", "probability", "from 0 to 1"});
+  refused("-0.1,", {"objects.csv:2", "probability"});
+  refused("0.5,1;2;3", {"objects.csv:2", "covariance", "45"});
+  refused("0.5,1;x", {"objects.csv:2", "covariance", "'x'"});
+  std::string zeros = "0";
+  for (int i = 1; i < 45; ++i) zeros += ";0";
+  refused("0.5," + zeros, {"objects.csv:2", "covariance", "positive definite"});
+}
+
 }  // namespace
 }  // namespace armature

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/statistics.h"
+#include "io/placed_objects.h"
 #include "io/run_writer.h"
 #include "support/expect_input_error.h"
 #include "support/temp_folder.h"
@@ -39,6 +40,7 @@ ObjectObservation OkObservation() {
   estimate.T_camera_object.translation() = Eigen::Vector3d(0.5, -0.25, 2);
   estimate.coefficients = Eigen::Vector2d(1.5, -1e-9);
   estimate.cost = 0.125;
+  estimate.probability = 0.75;
   estimate.matches = {{1, {{1, 2}, {3, 4}}, 0.5}, {1, {{5, 6}, {7, 8}}, 0.25}};
   return observation;
 }
@@ -99,11 +101,12 @@ class RunWriterTest : public ::testing::Test {
 
 TEST_F(RunWriterTest, WritesObservations) {
   WriteRun(folder_ / "run");
-  EXPECT_EQ(ReadFile(folder_ / "run/observations.csv"),
-            "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n"
-            "0.200000,0,ok,corner0,0.125000,1,0.500000,-0.250000,2.000000,"
-            "0.000000000,-0.983985947,0.000000000,0.178246056,1.500000;0.000000,0\n"
-            "0.200000,1,too_few_edges,,,0,,,,,,,,,\n");
+  EXPECT_EQ(
+      ReadFile(folder_ / "run/observations.csv"),
+      "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous,probability\n"
+      "0.200000,0,ok,corner0,0.125000,1,0.500000,-0.250000,2.000000,"
+      "0.000000000,-0.983985947,0.000000000,0.178246056,1.500000;0.000000,0,0.7500\n"
+      "0.200000,1,too_few_edges,,,0,,,,,,,,,,\n");
 }
 
 TEST_F(RunWriterTest, WritesAssociationsByEdgeName) {
@@ -127,14 +130,30 @@ TEST_F(RunWriterTest, WritesTimesTrajectoriesAndConfig) {
 TEST_F(RunWriterTest, WritesTheMapsObjectsWithTheirSizes) {
   WriteRun(folder_ / "run");
   const std::string header =
-      "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
+      "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape,probability,"
+      "covariance\n";
   // 1.2 m long edges, the first moved by 0.05 m: from -0.55 to 0.65; padding on both sides.
   const std::string rest =
-      "0.000000000,0.000000000,0.000000000,1.000000000,1.300000,1.300000,0.100000,4,2.000000;0.500000\n";
+      "0.000000000,0.000000000,0.000000000,1.000000000,1.300000,1.300000,0.100000,4,2.000000;0.500000";
   EXPECT_EQ(ReadFile(folder_ / "run/objects.csv"),
-            header + "corner0,corner,,0.000000,0.000000,1.000000," + rest);
+            header + "corner0,corner,,0.000000,0.000000,1.000000," + rest + ",,\n");
   EXPECT_EQ(ReadFile(folder_ / "run/objects_odometry.csv"),
-            header + "corner0,corner,,0.000000,0.000000,2.000000," + rest);
+            header + "corner0,corner,,0.000000,0.000000,2.000000," + rest + ",,\n");
+}
+
+TEST_F(RunWriterTest, WhatTheMapIsNotSureOfComesBack) {
+  Map map = SampleMap(1);
+  PoseAndSizeCovariance covariance = PoseAndSizeCovariance::Identity();
+  covariance(1, 7) = covariance(7, 1) = -0.25;
+  map.objects[0].uncertainty = {0.875, covariance};
+  RunWriter writer(folder_ / "run", {model_});
+  writer.WriteMaps(map, SampleMap(2));
+  writer.Finish({.sequence = "tiny"});
+  const std::vector<PlacedObject> objects = ReadPlacedObjects(folder_ / "run/objects.csv");
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].probability, 0.875);
+  EXPECT_EQ(objects[0].covariance, covariance);
+  EXPECT_FALSE(ReadPlacedObjects(folder_ / "run/objects_odometry.csv")[0].covariance);
 }
 
 TEST_F(RunWriterTest, SummaryExplainsTheRun) {

@@ -100,6 +100,14 @@ void CsvTable::CheckColumnsKnown(const std::vector<std::string>& known) const {
   }
 }
 
+std::optional<double> ReadProbabilityIfAny(const CsvTable& table, const CsvRow& row) {
+  if (!table.HasColumn("probability") || row.IsEmpty("probability")) return std::nullopt;
+  const double probability = row.Number("probability");
+  if (probability < 0 || probability > 1)
+    throw InputError(row.At("column 'probability' is none; give a number from 0 to 1"));
+  return probability;
+}
+
 Eigen::Isometry3d ReadPose(const CsvRow& row) {
   const Eigen::Quaterniond q(row.Number("qw"), row.Number("qx"), row.Number("qy"), row.Number("qz"));
   if (std::abs(q.norm() - 1) > 1e-3)

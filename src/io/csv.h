@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,10 @@ class CsvTable {
   std::vector<std::string> header_;
   std::vector<CsvRow> rows_;
 };
+
+// From the column 'probability', which may be absent or empty. Throws InputError when it is no number from 0
+// to 1.
+std::optional<double> ReadProbabilityIfAny(const CsvTable& table, const CsvRow& row);
 
 // From the columns tx ty tz (metres) and qx qy qz qw. Throws InputError when one is missing, is not a finite
 // number, or the quaternion's length is further than 1e-3 from 1.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <set>
 
 #include "base/errors.h"
@@ -32,6 +33,21 @@ int ReadObservationCount(const CsvRow& row) {
   return count;
 }
 
+std::optional<PoseAndSizeCovariance> ReadCovarianceIfAny(const CsvTable& table, const CsvRow& row) {
+  if (!table.HasColumn("covariance") || row.IsEmpty("covariance")) return std::nullopt;
+  const std::vector<double> values = ParseNumbers(row.Text("covariance"), row.At("column 'covariance'"));
+  PoseAndSizeCovariance covariance;
+  if (values.size() != 45)
+    throw InputError(row.At("column 'covariance' has not 45 numbers; give the upper triangle, row by row"));
+  size_t next = 0;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = i; j < 9; ++j) covariance(i, j) = covariance(j, i) = values[next++];
+  }
+  if (covariance.llt().info() != Eigen::Success)
+    throw InputError(row.At("column 'covariance' is not positive definite; leave it empty, or run it again"));
+  return covariance;
+}
+
 }  // namespace
 
 std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
@@ -42,7 +58,8 @@ std::vector<PlacedObject> ReadPlacedObjects(const std::filesystem::path& file) {
   for (const CsvRow& row : table.rows()) {
     objects.push_back({ReadId(row, ids), row.Text("category"), row.Text("instance"), ReadPose(row),
                        ReadSize(row), ReadObservationCount(row),
-                       ParseNumbers(row.Text("shape"), row.At("column 'shape'"))});
+                       ParseNumbers(row.Text("shape"), row.At("column 'shape'")),
+                       ReadProbabilityIfAny(table, row), ReadCovarianceIfAny(table, row)});
   }
   return objects;
 }

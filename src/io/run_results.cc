@@ -60,6 +60,7 @@ void ReadObservations(const std::filesystem::path& file, RunResults& run) {
     if (table.HasColumn("object")) observation.object = row.Text("object");
     if (table.HasColumn("shape"))
       observation.shape = ParseNumbers(row.Text("shape"), row.At("column 'shape'"));
+    observation.probability = ReadProbabilityIfAny(table, row);
     if (observation.index < 0 || observation.index > kMostDetections)
       throw InputError(
           row.At(fmt::format("index {} of an image's detections; {}", observation.index, kRunAgain)));

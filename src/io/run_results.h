@@ -27,8 +27,9 @@ struct RunObservation {
   std::string status;                                // "ok", or why there is no estimate to rely on
   std::optional<Eigen::Isometry3d> T_camera_object;  // metres; none where the row has no pose
   std::vector<RunMatch> matches;
-  std::string object;           // id in objects.csv of the map object that it is of; empty: of none
-  std::vector<double> shape{};  // coefficients, standard deviations; empty: not kept
+  std::string object;                   // id in objects.csv of the map object that it is of; empty: of none
+  std::vector<double> shape{};          // coefficients, standard deviations; empty: not kept
+  std::optional<double> probability{};  // that the pose is right, ObjectEstimate::probability
 
   bool ok() const { return status == "ok"; }
 };

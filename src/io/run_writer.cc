@@ -37,6 +37,15 @@ std::string ShapeField(const Eigen::VectorXd& coefficients) {
   return fmt::format("{}", fmt::join(values, ";"));
 }
 
+// The upper triangle, row by row.
+std::string CovarianceField(const PoseAndSizeCovariance& covariance) {
+  std::vector<std::string> values;
+  for (int i = 0; i < covariance.rows(); ++i) {
+    for (int j = i; j < covariance.cols(); ++j) values.push_back(fmt::format("{:.6e}", covariance(i, j)));
+  }
+  return fmt::format("{}", fmt::join(values, ";"));
+}
+
 // Several collinear segments may explain one edge.
 size_t EdgesMatched(const std::vector<EdgeMatch>& matches) {
   std::set<int> edges;
@@ -53,12 +62,17 @@ std::vector<TimedPose> MakeTrajectory(const Map& map) {
 }
 
 std::string ObjectsText(const std::vector<MapObject>& objects) {
-  std::string text = "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape\n";
+  std::string text =
+      "id,category,instance,tx,ty,tz,qx,qy,qz,qw,size_x,size_y,size_z,observations,shape,probability,"
+      "covariance\n";
   for (const MapObject& object : objects) {
     const Eigen::Vector3d size = object.Size();
-    text += fmt::format("{},{},,{},{},{},{},{},{}\n", CsvField(object.id), CsvField(object.model->spec.name),
-                        PoseFields(object.T_world_object), Fixed(size.x(), 6), Fixed(size.y(), 6),
-                        Fixed(size.z(), 6), object.observations, ShapeField(object.coefficients));
+    text += fmt::format("{},{},,{},{},{},{},{},{},{},{}\n", CsvField(object.id),
+                        CsvField(object.model->spec.name), PoseFields(object.T_world_object),
+                        Fixed(size.x(), 6), Fixed(size.y(), 6), Fixed(size.z(), 6), object.observations,
+                        ShapeField(object.coefficients),
+                        object.uncertainty ? Fixed(object.uncertainty->probability, 4) : "",
+                        object.uncertainty ? CovarianceField(object.uncertainty->covariance) : "");
   }
   return text;
 }
@@ -113,15 +127,16 @@ void RunWriter::AddObservation(double timestamp, size_t index, const ObjectObser
   const bool has_pose = estimate.status == EstimateStatus::kOk;
   observations_.push_back(
       {timestamp, index, fmt::format("{},{},{}", Fixed(timestamp, 6), index, StatusName(estimate.status)), "",
-       fmt::format("{},{},{},{},{}", estimate.matches.empty() ? "" : Fixed(estimate.cost, 6),
+       fmt::format("{},{},{},{},{},{}", estimate.matches.empty() ? "" : Fixed(estimate.cost, 6),
                    EdgesMatched(estimate.matches), has_pose ? PoseFields(estimate.T_camera_object) : ",,,,,,",
                    has_pose ? ShapeField(estimate.coefficients) : "",
-                   has_pose ? (estimate.ambiguous ? "1" : "0") : "")});
+                   has_pose ? (estimate.ambiguous ? "1" : "0") : "",
+                   estimate.probability ? Fixed(*estimate.probability, 4) : "")});
 }
 
 void RunWriter::WriteObservations() {
   std::string text =
-      "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous\n";
+      "timestamp,index,status,object,cost,edges_matched,tx,ty,tz,qx,qy,qz,qw,shape,ambiguous,probability\n";
   for (const ObservationRow& row : observations_) {
     text += fmt::format("{},{},{}\n", row.before_object, CsvField(row.object), row.after_object);
   }

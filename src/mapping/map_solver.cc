@@ -8,6 +8,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -205,6 +206,35 @@ Eigen::SparseMatrix<double> EvaluateJacobian(ceres::Problem& problem, const std:
       rows.cols.data(), rows.values.data());
 }
 
+// (J^T J)^-1, a few columns of it at a time.
+class InverseOfInformation {
+ public:
+  explicit InverseOfInformation(const Eigen::SparseMatrix<double>& J) : information_(J.transpose() * J) {}
+
+  bool Exists() const {
+    return information_.info() == Eigen::Success && information_.vectorD().minCoeff() > 0;
+  }
+  Eigen::VectorXd Times(const Eigen::VectorXd& vector) const { return information_.solve(vector); }
+
+  // Rows and columns by their numbers; those of -1 are 0.
+  Eigen::MatrixXd Block(const std::vector<Eigen::Index>& chosen) const {
+    const auto n = static_cast<Eigen::Index>(chosen.size());
+    Eigen::MatrixXd block = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (chosen[static_cast<size_t>(j)] < 0) continue;
+      const Eigen::VectorXd column =
+          Times(Eigen::VectorXd::Unit(information_.cols(), chosen[static_cast<size_t>(j)]));
+      for (Eigen::Index i = 0; i < n; ++i) {
+        if (chosen[static_cast<size_t>(i)] >= 0) block(i, j) = column(chosen[static_cast<size_t>(i)]);
+      }
+    }
+    return block;
+  }
+
+ private:
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> information_;
+};
+
 }  // namespace
 
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
@@ -223,19 +253,44 @@ MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options) {
           static_cast<int>(summary.iterations.size()) - 1};  // the first is the start
 }
 
-std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& options) {
-  if (graph.scale_is_held) return std::nullopt;
+std::optional<GraphUncertainty> ComputeUncertainty(const MapGraph& graph, const MapSolverOptions& options) {
   Blocks blocks(graph);
   ceres::Problem problem;
   AddFactors(graph, options, blocks, problem);
-  const Eigen::SparseMatrix<double> J = EvaluateJacobian(problem, FreeBlocks(blocks, problem));
-  // The scale's knots are the last columns: the mean's variance is w^T (J^T J)^-1 w.
-  const auto knots = static_cast<Eigen::Index>(blocks.log_scale.size());
-  Eigen::VectorXd w = Eigen::VectorXd::Zero(J.cols());
-  w.tail(knots).setConstant(1 / static_cast<double>(knots));
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> information(J.transpose() * J);
-  if (information.info() != Eigen::Success || information.vectorD().minCoeff() <= 0) return std::nullopt;
-  return std::sqrt(w.dot(information.solve(w)));
+  const std::vector<double*> free = FreeBlocks(blocks, problem);
+  const Eigen::SparseMatrix<double> J = EvaluateJacobian(problem, free);
+  const InverseOfInformation inverse(J);
+  if (!inverse.Exists()) return std::nullopt;
+  GraphUncertainty uncertainty;
+  if (!graph.scale_is_held) {
+    // The scale's knots are the last columns: the mean's variance is w^T (J^T J)^-1 w.
+    const auto knots = static_cast<Eigen::Index>(blocks.log_scale.size());
+    Eigen::VectorXd w = Eigen::VectorXd::Zero(J.cols());
+    w.tail(knots).setConstant(1 / static_cast<double>(knots));
+    uncertainty.scale_sigma = std::sqrt(w.dot(inverse.Times(w)));
+  }
+  std::map<const double*, std::pair<Eigen::Index, int>> columns;  // of each free block: the first, how many
+  Eigen::Index next = 0;
+  for (double* block : free) {
+    const int size = problem.ParameterBlockTangentSize(block);
+    columns[block] = {next, size};
+    next += size;
+  }
+  for (size_t o = 0; o < blocks.objects.size(); ++o) {
+    const Eigen::Index modes = blocks.shapes[o].size();
+    std::vector<Eigen::Index> of_object(static_cast<size_t>(7 + modes), -1);  // -1: held
+    Eigen::Index at = 0;
+    for (const auto& [block, size] : {std::pair<const double*, Eigen::Index>{blocks.objects[o].data(), 6},
+                                      {blocks.shapes[o].data(), modes},
+                                      {&blocks.log_size[o], 1}}) {
+      const auto found = columns.find(block);
+      for (Eigen::Index k = 0; k < size; ++k, ++at) {
+        if (found != columns.end()) of_object[static_cast<size_t>(at)] = found->second.first + k;
+      }
+    }
+    uncertainty.objects.push_back(inverse.Block(of_object));
+  }
+  return uncertainty;
 }
 
 }  // namespace armature

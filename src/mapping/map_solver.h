@@ -2,7 +2,9 @@
 // The optimum of the map's factor graph (paper 3.5), with Ceres.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "mapping/map_graph.h"
 
@@ -25,8 +27,15 @@ struct MapSolution {
 // Improves the graph's unknowns where they stand. One thread: same graph, same bytes.
 MapSolution SolveMapGraph(MapGraph& graph, const MapSolverOptions& options);
 
-// Standard deviation of the mean of graph.log_scale, everything else marginalised; none where the graph does
-// not determine it.
-std::optional<double> ScaleSigma(const MapGraph& graph, const MapSolverOptions& options);
+// What the graph leaves uncertain, the first camera being where it is.
+struct GraphUncertainty {
+  std::optional<double> scale_sigma;  // of the mean of graph.log_scale; none where the scale is held
+  // Covariance of each object's unknowns: a step of T_world_object on its right (rotation, then translation),
+  // coefficients, log_size (0 where sizes are held); 7 + B numbers.
+  std::vector<Eigen::MatrixXd> objects;
+};
+
+// None where the graph does not determine its unknowns.
+std::optional<GraphUncertainty> ComputeUncertainty(const MapGraph& graph, const MapSolverOptions& options);
 
 }  // namespace armature

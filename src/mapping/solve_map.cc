@@ -18,9 +18,6 @@ namespace armature {
 namespace {
 
 constexpr double kLeastScaleSigma = 0.005;  // of the map's scale, when shapes are told: never surer
-// Of one object's size as the map has it, share: what the graph does not know of, wrong matches and furniture
-// of other sizes than its category's. With six objects, the scale scattered by 5 % over 20 harmless changes.
-constexpr double kObjectSizeSigma = 0.12;
 
 // Of objects that stay in the map, in the first pass and in the last.
 constexpr std::array kLeastProbability{0.2, 0.3};
@@ -178,8 +175,9 @@ ObjectOfObservation SolveFromDetections(const MapInput& input, MapGraph& graph) 
 }
 
 // Objects that enough observations support, numbered in the order in which they are first seen.
-void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, const MappingOptions& options,
-                  Map& map) {
+void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi,
+                  const std::vector<std::optional<ObjectUncertainty>>& uncertainties,
+                  const MappingOptions& options, Map& map) {
   const double scale_sigma = std::max(map.scale_sigma.value_or(0), kLeastScaleSigma);
   std::vector<int> observations(graph.objects.size(), 0);
   for (const ObjectFactor& factor : graph.observations) ++observations[static_cast<size_t>(factor.object)];
@@ -197,7 +195,8 @@ void StoreObjects(const MapGraph& graph, const ObjectOfObservation& phi, const M
         const std::string& category = object.model->spec.name;
         map.objects.push_back({category + std::to_string(numbers[category]++), object.model,
                                object.T_world_object, object.coefficients, object.log_size, observations[o],
-                               ComputeShapeEvidence(graph, of_frame[j], scale_sigma, options.solver)});
+                               ComputeShapeEvidence(graph, of_frame[j], scale_sigma, options.solver),
+                               uncertainties[o]});
       }
       map.phi.back()[j] = kept[o];
     }
@@ -212,19 +211,39 @@ void Anchor(const Eigen::Isometry3d& T_odom_camera, Map& map) {
   for (MapObject& object : map.objects) object.T_world_object.pretranslate(shift);
 }
 
-Map ToMap(const std::vector<MapFrame>& frames, const MapGraph& graph, const ObjectOfObservation& phi,
-          const MappingOptions& options) {
+// Of each object of the graph, and the scale's. None where the images' lines were not used: single views know
+// too little of each other's errors.
+std::vector<std::optional<ObjectUncertainty>> ComputeUncertainties(const MapInput& input,
+                                                                   const MapGraph& graph,
+                                                                   const ObjectOfObservation& phi,
+                                                                   std::optional<double>& scale_sigma) {
+  std::vector<std::optional<ObjectUncertainty>> uncertainties(graph.objects.size());
+  if (input.options.refinement.rounds == 0) return uncertainties;
+  const std::optional<GraphUncertainty> of_graph = ComputeUncertainty(graph, input.options.solver);
+  if (!of_graph) return uncertainties;
+  scale_sigma = of_graph->scale_sigma;
+  const std::vector<ObjectEvidence> evidence = CollectEvidence(input.frames, phi, graph, input.box);
+  for (size_t o = 0; o < graph.objects.size(); ++o) {
+    const double probability = ComputeProbability(evidence[o]);
+    uncertainties[o] = {probability,
+                        CovarianceOfPoseAndSize(graph.objects[o], of_graph->objects[o], probability)};
+  }
+  return uncertainties;
+}
+
+Map ToMap(const MapInput& input, const MapGraph& graph, const ObjectOfObservation& phi) {
   Map map;
-  for (const MapFrame& frame : frames) map.timestamps.push_back(frame.timestamp);
+  for (const MapFrame& frame : input.frames) map.timestamps.push_back(frame.timestamp);
   map.T_world_camera = graph.T_world_camera;
   map.log_scale = graph.log_scale;
-  if (options.refinement.rounds > 0) map.scale_sigma = ScaleSigma(graph, options.solver);
-  StoreObjects(graph, phi, options, map);
+  const auto uncertainties = ComputeUncertainties(input, graph, phi, map.scale_sigma);
+  StoreObjects(graph, phi, uncertainties, input.options, map);
   if (map.scale_sigma && !map.objects.empty()) {
-    const double by_sizes = kObjectSizeSigma / std::sqrt(static_cast<double>(map.objects.size()));
-    map.scale_sigma = std::hypot(*map.scale_sigma, by_sizes);
+    std::vector<double> probabilities;
+    for (const MapObject& object : map.objects) probabilities.push_back(object.uncertainty->probability);
+    map.scale_sigma = WidenScaleSigma(*map.scale_sigma, probabilities);
   }
-  Anchor(frames.front().T_odom_camera, map);
+  Anchor(input.frames.front().T_odom_camera, map);
   return map;
 }
 
@@ -294,15 +313,16 @@ Map SolveMap(const std::vector<MapFrame>& frames, const ScaleEstimate& expected_
     const Eigen::Vector3d by = map.MeanScale() * *start;
     return Moved(std::move(map), by);
   }
+  const MapInput input{frames, box, resection, options};
   if (options.refinement.rounds == 0) {
     MapGraph graph = MakeOdometryGraph(frames, expected_scale, options.odometry);
     const ObjectOfObservation phi = SolveFromTracks(frames, options, graph);
-    return ToMap(frames, graph, phi, options);
+    return ToMap(input, graph, phi);
   }
   const ScaleEstimate scale = SearchScale(frames, expected_scale, options.min_observations);
   MapGraph graph = MakeOdometryGraph(frames, scale, options.odometry);
-  const ObjectOfObservation phi = SolveFromDetections({frames, box, resection, options}, graph);
-  return ToMap(frames, graph, phi, options);
+  const ObjectOfObservation phi = SolveFromDetections(input, graph);
+  return ToMap(input, graph, phi);
 }
 
 Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const MappingOptions& options) {
@@ -322,6 +342,7 @@ Map PlaceByOdometry(const std::vector<MapFrame>& frames, const Map& map, const M
     placed.objects[o].T_world_object = graph.objects[o].T_world_object;
     placed.objects[o].coefficients = graph.objects[o].coefficients;
     placed.objects[o].log_size = graph.objects[o].log_size;
+    placed.objects[o].uncertainty.reset();
   }
   return placed;
 }

@@ -14,6 +14,7 @@
 #include "mapping/map_objects.h"
 #include "mapping/map_solver.h"
 #include "mapping/object_association.h"
+#include "mapping/object_uncertainty.h"
 #include "mapping/shape_evidence.h"
 
 namespace armature {
@@ -39,6 +40,7 @@ struct MapObject {
   double log_size = 0;     // of the factor by which it is larger than that shape
   int observations = 0;    // detections that the map explains with it
   ShapeEvidence evidence;  // of the shape, without the category's prior; of placed by odometry: the map's
+  std::optional<ObjectUncertainty> uncertainty{};  // of maps from all detections; none: not known
 
   // Its edges, object frame, metres.
   Wireframe MakeWireframe() const;

@@ -8,6 +8,7 @@
 #include "base/stage_clock.h"
 #include "geometry/rotation.h"
 #include "geometry/viewpoint.h"
+#include "pipeline/view_evidence.h"
 
 namespace armature {
 namespace {
@@ -244,6 +245,27 @@ bool IsAmbiguous(const ObjectView& view, const Candidate& best, const Associatio
   return turned.front().cost <= as_is.front().cost + kAmbiguityMargin;
 }
 
+// By how much the best costs less than the best of those that stand or are turned elsewhere.
+double MarginOver(const std::vector<Candidate>& candidates, const Candidate& best, int symmetry_order) {
+  constexpr double kElsewhere = 0.15;  // share of the distance, and
+  constexpr double kTurned = 15 * kDegree;
+  const auto azimuth = [](const Eigen::Isometry3d& T) {
+    return ViewpointFromRotation(T.linear(), T.translation()).azimuth;
+  };
+  const Eigen::Isometry3d& at = best.estimate.T_camera_object;
+  double margin = kMostMargin;
+  for (const Candidate& other : candidates) {
+    if (!other.finite()) continue;
+    const Eigen::Isometry3d& T = other.estimate.T_camera_object;
+    const double nearer = std::min(at.translation().norm(), T.translation().norm());
+    if (std::abs(AzimuthDifference(azimuth(at), azimuth(T), symmetry_order)) > kTurned ||
+        std::abs(at.translation().norm() - T.translation().norm()) > kElsewhere * nearer) {
+      margin = std::min(margin, other.cost - best.cost);
+    }
+  }
+  return margin;
+}
+
 double RmsPixels(const std::vector<EdgeMatch>& matches) {
   double sum = 0;
   for (const EdgeMatch& match : matches) sum += match.cost * match.cost;
@@ -305,10 +327,18 @@ SingleViewResult EstimateObject(const ObjectView& view, const AssociationOptions
                                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
 
   result.estimate.ambiguous = IsAmbiguous(view, *best, association, resection, times);
+  const double margin = MarginOver(candidates, *best, view.model->spec.symmetry_order);
+  const BoxSides sides = best->hypothesis.sides;
   {
     const StageClock clock(times.optimization_ms);
     Measure(view, *best, association, resection, result);
     Describe(view, std::move(*best), association, resection, result);
+  }
+  ObjectEstimate& estimate = result.estimate;
+  if (estimate.status == EstimateStatus::kOk && association.cost == AssociationCost::kCoverage) {
+    ViewEvidence evidence = CollectViewEvidence(view, sides, estimate);
+    evidence.margin = margin;
+    estimate.probability = ComputeProbability(evidence);
   }
   return result;
 }

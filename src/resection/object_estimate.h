@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct ObjectEstimate {
   StopReason stop = StopReason::kMaxIterations;  // of its last round
   bool ambiguous =
       false;  // another, clearly different turn explains the lines equally well; the prior decided
+  // That the pose is right: turned by less than 15 degrees and shifted by less than 15 % of its distance
+  // against the true one. None where there is no pose, or the association's cost does not tell.
+  std::optional<double> probability;
 };
 
 }  // namespace armature
