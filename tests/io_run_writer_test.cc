@@ -148,7 +148,7 @@ TEST_F(RunWriterTest, WhatTheMapIsNotSureOfComesBack) {
   map.objects[0].uncertainty = {0.875, covariance};
   RunWriter writer(folder_ / "run", {model_});
   writer.WriteMaps(map, SampleMap(2));
-  writer.Finish({.sequence = "tiny"});
+  writer.Finish({.sequence = "tiny", .preset = "default"});
   const std::vector<PlacedObject> objects = ReadPlacedObjects(folder_ / "run/objects.csv");
   ASSERT_EQ(objects.size(), 1u);
   EXPECT_EQ(objects[0].probability, 0.875);
