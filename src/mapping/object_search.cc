@@ -77,7 +77,8 @@ std::optional<double> ComputeEvidence(const Sides& expected, const SeenView& see
     if (beyond > kFarthestSide || beyond < -4) return std::nullopt;
     const double at_side =
         kFineShare * Density(beyond, seen.fine[side]) + kRoughShare * Density(beyond, kRough) + kAnywhere;
-    double of_side = (1 - seen.hidden[side]) * at_side + (beyond < 0 ? seen.hidden[side] : 0);
+    // What is hidden may be boxed anywhere along the object.
+    double of_side = (1 - seen.hidden[side]) * at_side + (beyond < 0 ? seen.hidden[side] / (1 - beyond) : 0);
     if (seen.is_cut[side]) of_side = std::min(of_side, kCutLikelihood);
     likelihood *= of_side / kChance;
   }
