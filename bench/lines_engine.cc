@@ -8,7 +8,7 @@ namespace armature {
 std::unique_ptr<FramePipeline> MakePipeline(const Options& options, const std::vector<CategoryModel>& models,
                                             const BenchSequence& sequence) {
   return std::make_unique<FramePipeline>(options, sequence.camera, models, sequence.up_odom,
-                                         sequence.odometry_metric);
+                                         sequence.odometry_metric, sequence.camera_height);
 }
 
 LinesEngine::LinesEngine(Options options, std::vector<CategoryModel> models)

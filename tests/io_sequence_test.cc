@@ -164,6 +164,21 @@ TEST_F(SequenceTest, ReportsOtherBadSettings) {
   ExpectYamlError("name: tiny", "name: ../tiny", {".yaml:1", "'../tiny'"});
   ExpectYamlError("up: [0, -2, 0]", "up: [0, 0, 0]", {".yaml:12", "'up'"});
   ExpectYamlError("up: [0, -2, 0]", "odometry_metric: maybe", {".yaml:12", "true or false"});
+  ExpectYamlError("up: [0, -2, 0]", "camera_height: {metres: 0, sigma: 0.02}",
+                  {".yaml:12", "metres", "more than 0"});
+  ExpectYamlError("up: [0, -2, 0]", "camera_height: {metres: 1.2, sigma: -1}", {".yaml:12", "sigma"});
+  ExpectYamlError("up: [0, -2, 0]", "camera_height: {metres: 1.2}", {".yaml:12", "sigma"});
+  ExpectYamlError("up: [0, -2, 0]", "camera_height: {metres: 1.2, sigmas: 1}", {".yaml:12", "sigmas"});
+}
+
+TEST_F(SequenceTest, ReadsTheCamerasHeight) {
+  EXPECT_FALSE(Load().camera_height);
+  std::string yaml = testing::ReadFile(folder_ / "sequence.yaml");
+  folder_.Write("sequence.yaml", yaml + "\ncamera_height: {metres: 1.25, sigma: 0.02}\n");
+  const auto height = Load().camera_height;
+  ASSERT_TRUE(height);
+  EXPECT_EQ(height->camera_height, 1.25);
+  EXPECT_EQ(height->sigma, 0.02);
 }
 
 TEST_F(SequenceTest, ReportsBadImageLists) {

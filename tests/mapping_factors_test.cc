@@ -300,6 +300,14 @@ TEST(FloorCost, LowestPointIsTheLowestOfAllEnds) {
   }
 }
 
+TEST(HeightCost, IsTheCamerasHeightAboveTheFloor) {
+  const HeightCost cost({0, 1.5, 0.1});
+  const Eigen::Isometry3d camera = Pose({0.3, 0.8, -0.2}, {3, 1.2, -2});
+  // 1.2 m up, above a floor 0.4 m below the origin: 1.6 m instead of 1.5
+  EXPECT_NEAR(Residuals(cost, {BlockOf(camera), {0, 1, 0}, {-0.4}})(0), 1.0, 1e-9);
+  ExpectJacobians(cost, {BlockOf(camera), {0.1, -0.9, 0.3}, {-1.1}});
+}
+
 TEST(RandomWalkCost, IsTheStepInStandardDeviations) {
   const RandomWalkCost cost(0.02);
   EXPECT_NEAR(Residuals(cost, {{0.5}, {0.53}})(0), 1.5, 1e-9);

@@ -166,6 +166,17 @@ TEST(FloorHeight, IsLearntFromWhatStandsOnIt) {
   EXPECT_NEAR(floor.Predict(6.1, 0.3)->camera_height, truth + 0.3, 0.05);  // the camera rose
 }
 
+TEST(FloorHeight, ThatIsKnownIsNotLearnt) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.4, 2.2}, Eigen::Vector2d::Zero());
+  FloorHeight floor{FloorOptions{}, FloorPrior{2.5, 0.01}};
+  for (int frame = 0; frame < 10; ++frame) {
+    floor.Predict(0.1 * frame, 0.5);
+    floor.Update(MeasuredAs(synthetic.truth), synthetic.model, *synthetic.view.up_camera);
+  }
+  EXPECT_EQ(floor.Predict(1.0, 0.5)->camera_height, 2.5);
+  EXPECT_EQ(floor.Predict(1.0, 0.5)->sigma, 0.01);
+}
+
 // A camera that flies past a chair, with an odometry in units of any length.
 class ObjectTracksInAnyUnit : public ::testing::TestWithParam<double> {};
 

@@ -171,6 +171,16 @@ TEST(SolveMap, TurningInPlaceGivesMetricObjects) {
   ExpectTrueMap(map, world, 0.1, 2, 1e-3);
 }
 
+// All the furniture is of another size than its category's; a robot knows better.
+TEST(SolveMap, AKnownCameraHeightOutweighsSizes) {
+  MapWorld world;
+  FurnishRoom(world);
+  std::vector<MapFrame> frames = world.Frames(kNoise);
+  for (MapFrame& frame : frames) frame.camera_height = {1.15 * world.floor, 0.005};
+  const Map map = Solve(frames, kExpected, {});
+  EXPECT_NEAR(map.MeanScale(), 1.15 * kUnit, 0.06 * kUnit);
+}
+
 // What the front end makes of chairs when it takes their back for their front.
 std::vector<MapFrame> WithFlips(MapWorld& world, const std::vector<MapFrame>& frames, size_t every) {
   const std::vector<TrueFurniture> furniture = world.furniture;

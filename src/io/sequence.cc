@@ -94,6 +94,17 @@ Eigen::Vector3d ReadUp(const YamlMap& map) {
   return up.normalized();
 }
 
+double ReadPositive(const YamlMap& map, const std::string& key) {
+  const double metres = map.Number(key);
+  if (metres > 0 && metres < 1000) return metres;
+  throw InputError(map.At(key, fmt::format("is {}; write metres, more than 0", metres)));
+}
+
+FloorPrior ReadCameraHeight(const YamlMap& map) {
+  map.CheckKeys({"metres", "sigma"});
+  return {ReadPositive(map, "metres"), ReadPositive(map, "sigma")};
+}
+
 bool IsFile(const std::filesystem::path& file) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(file, ignored);
@@ -228,6 +239,7 @@ Sequence LoadSequence(const std::filesystem::path& folder, const std::vector<std
   sequence.camera = settings.camera;
   sequence.up = settings.up;
   sequence.odometry_metric = settings.odometry_metric;
+  sequence.camera_height = settings.camera_height;
   sequence.folder = folder;
   sequence.images = ReadImageList(folder / "rgb.txt");
   CheckPace(folder / "rgb.txt", CollectStamps(sequence.images), sequence.fps);
@@ -269,12 +281,13 @@ std::vector<ImageEntry> ReadImageList(const std::filesystem::path& file) {
 
 SequenceSettings ReadSequenceSettings(const std::filesystem::path& file) {
   const YamlMap map = YamlMap::Load(file);
-  map.CheckKeys({"name", "fps", "camera", "up", "odometry_metric"});
+  map.CheckKeys({"name", "fps", "camera", "up", "odometry_metric", "camera_height"});
   SequenceSettings settings;
   settings.name = ReadName(map);
   settings.fps = ReadRate(map);
   settings.camera = ReadCamera(map.Map("camera"));
   if (map.Has("up")) settings.up = ReadUp(map);
+  if (map.Has("camera_height")) settings.camera_height = ReadCameraHeight(map.Map("camera_height"));
   if (map.Has("odometry_metric")) settings.odometry_metric = map.Boolean("odometry_metric");
   return settings;
 }

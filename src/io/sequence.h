@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "association/detection.h"
+#include "association/object_view.h"
 #include "geometry/camera.h"
 #include "geometry/segment.h"
 #include "io/trajectory.h"
@@ -22,8 +23,9 @@ struct SequenceSettings {
   std::string name;  // a plain word that can name a folder
   double fps = 0;    // images a second
   Camera camera;
-  std::optional<Eigen::Vector3d> up;  // unit, up in the frame of the odometry
-  bool odometry_metric = false;       // the odometry is in metres; its scale is unknown otherwise
+  std::optional<Eigen::Vector3d> up;        // unit, up in the frame of the odometry
+  bool odometry_metric = false;             // the odometry is in metres; its scale is unknown otherwise
+  std::optional<FloorPrior> camera_height;  // above the floor, the same in all images
 };
 
 struct ImageEntry {
@@ -38,6 +40,7 @@ struct Sequence {
   Camera camera;
   std::optional<Eigen::Vector3d> up;  // unit, frame of the odometry
   bool odometry_metric = false;
+  std::optional<FloorPrior> camera_height;  // above the floor
   std::filesystem::path folder;
   std::filesystem::path detections_file{};         // instead of its own detections.csv; empty: that
   std::vector<ImageEntry> images;                  // by growing stamps, at least one

@@ -118,6 +118,20 @@ bool FloorCost::Evaluate(double const* const* parameters, double* residuals, dou
   return true;
 }
 
+bool HeightCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+  const Eigen::Isometry3d T_world_camera = FromBlock(parameters[0]);
+  const Eigen::Map<const Eigen::Vector3d> up(parameters[1]);
+  residuals[0] = (up.dot(T_world_camera.translation()) - parameters[2][0] - factor_.height) / factor_.sigma;
+  if (!jacobians) return true;
+  if (jacobians[0]) {
+    Eigen::Map<Eigen::Matrix<double, 1, 7>> J(jacobians[0]);
+    J << Eigen::RowVector3d::Zero(), up.transpose() * T_world_camera.linear() / factor_.sigma, 0;
+  }
+  if (jacobians[1]) Eigen::Map<Eigen::Vector3d>{jacobians[1]} = T_world_camera.translation() / factor_.sigma;
+  if (jacobians[2]) jacobians[2][0] = -1 / factor_.sigma;
+  return true;
+}
+
 bool RandomWalkCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   residuals[0] = (parameters[1][0] - parameters[0][0]) / sigma_;
   if (!jacobians) return true;

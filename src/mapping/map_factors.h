@@ -55,6 +55,16 @@ class FloorCost : public ceres::CostFunction {
   double sigma_;               // metres
 };
 
+// A camera's height above the floor. Blocks: camera, up (3), floor's height along up. 1 residual.
+class HeightCost : public ceres::SizedCostFunction<1, 7, 3, 1> {
+ public:
+  explicit HeightCost(const HeightFactor& factor) : factor_(factor) {}
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  HeightFactor factor_;
+};
+
 // (x2 - x1) / sigma: a step of a random walk.
 class RandomWalkCost : public ceres::SizedCostFunction<1, 1, 1> {
  public:

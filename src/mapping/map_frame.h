@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "association/object_view.h"
@@ -40,6 +41,7 @@ struct MapFrame {
   bool follows_jump = false;                 // the odometry does not tell how the camera came here
   Eigen::Vector3d up_camera{0, -1, 0};       // unit
   double up_sigma = 1;                       // radians; 0: given by the sequence
+  std::optional<FloorPrior> camera_height;   // above the floor, where it is known
   std::vector<MapObservation> observations;  // one a detection, in their order
   std::vector<PassedFrame> passed;           // since the frame before this one, by time
 };

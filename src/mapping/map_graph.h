@@ -60,11 +60,18 @@ struct ObjectFactor {
   Eigen::VectorXd b;  // 6+B; 0: `at` is the image's own optimum
 };
 
+// The camera is so high above the floor, metres.
+struct HeightFactor {
+  int camera = 0;
+  double height = 0, sigma = 1;
+};
+
 struct MapGraph {
   std::vector<Eigen::Isometry3d> T_world_camera;  // metres; the first is held
   std::vector<GraphObject> objects;
   std::vector<OdometryFactor> odometry;
   std::vector<ObjectFactor> observations;
+  std::vector<HeightFactor> heights;
   std::vector<double> log_scale;  // logarithm of metres a unit of odometry, at the knots
   ScaleEstimate expected_scale;
   bool scale_is_held = false;          // log_scale stays as it is

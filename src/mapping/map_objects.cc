@@ -62,6 +62,16 @@ ObjectFactor MakeViewFactor(const PlacedView& view, const GraphObject& object) {
 // seconds pass between two sessions.
 constexpr double kLongestGap = 60;  // seconds
 
+// Together they weigh as one: what is wrong with a mounting is so in every frame.
+void AddHeights(const std::vector<MapFrame>& frames, MapGraph& graph) {
+  for (size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i].camera_height) continue;
+    const auto& [height, sigma] = *frames[i].camera_height;
+    graph.heights.push_back(
+        {static_cast<int>(i), height, sigma * std::sqrt(static_cast<double>(frames.size()))});
+  }
+}
+
 double BeyondLongestGap(const MapFrame& earlier, const MapFrame& later) {
   return std::max(0.0, later.timestamp - earlier.timestamp - kLongestGap);
 }
@@ -111,6 +121,7 @@ MapGraph MakeOdometryGraph(const std::vector<MapFrame>& frames, const ScaleEstim
     step.share = at - step.knot;
     graph.odometry.push_back(step);
   }
+  AddHeights(frames, graph);
   const MapFrame& last = frames.back();  // what it knows of up, all frames before have told
   graph.up_world = last.T_odom_camera.linear() * last.up_camera;
   graph.up_sigma = std::max(last.up_sigma, kLeastUpSigma);

@@ -122,6 +122,17 @@ void AddObjects(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
   }
 }
 
+// After up has been added.
+void AddHeights(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                ceres::Problem& problem) {
+  if (options.floor_sigma <= 0) return;
+  for (const HeightFactor& factor : graph.heights) {
+    problem.AddResidualBlock(new HeightCost(factor), nullptr,
+                             blocks.cameras[static_cast<size_t>(factor.camera)].data(), blocks.up.data(),
+                             &blocks.floor);
+  }
+}
+
 void AddObservations(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
                      ceres::Problem& problem) {
   for (const ObjectFactor& factor : graph.observations) {
@@ -162,6 +173,7 @@ void AddFactors(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
                 ceres::Problem& problem) {
   AddOdometry(graph, options, blocks, problem);
   AddObjects(graph, options, blocks, problem);
+  AddHeights(graph, options, blocks, problem);
   AddObservations(graph, options, blocks, problem);
 }
 

@@ -32,6 +32,10 @@ constexpr double kCutLikelihood = 0.6;  // of a side that the image's border cut
 constexpr double kChance = 0.5;         // likelihood of a side of a detection of something else
 constexpr double kFarthestSide = 0.6;   // over the box's size, and not hidden: not of this object
 
+// Where the camera's height above the floor is known: share of it by which what stands on the floor may be
+// mistaken, and what it costs at most to be elsewhere.
+constexpr double kHeightSigma = 0.1, kMostHeightCost = 8;
+
 constexpr double kOccupied = 0.2;  // intersection over union: no room for another of the category
 
 double Density(double x, double sigma) {
@@ -91,15 +95,17 @@ std::optional<double> ComputeEvidence(const Sides& expected, const SeenView& see
 struct Source {
   SeenView view;
   Eigen::Matrix3Xd ends;  // of all edges from the object's centre, axes of the world
+  double below = 0;       // metres, along up: of the object's lowest point, from its centre
 };
 
 Source MakeSource(const MapObservation& observation, const SeenView& view,
-                  const Eigen::Isometry3d& T_world_camera) {
+                  const Eigen::Isometry3d& T_world_camera, const Eigen::Vector3d& up_world) {
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, observation.measured.coefficients);
   const Eigen::Matrix3d R = T_world_camera.linear() * observation.measured.T_camera_object.linear();
   Source source{view, Eigen::Matrix3Xd(3, 2 * wireframe.edges())};
   source.ends << R * (wireframe.midpoints - 0.5 * wireframe.directions),
       R * (wireframe.midpoints + 0.5 * wireframe.directions);
+  source.below = -(up_world.transpose() * source.ends).minCoeff();
   return source;
 }
 
@@ -135,7 +141,7 @@ struct Candidate {
   size_t source = 0;
   Eigen::Vector3d center;  // metres, world
   std::vector<Explained> explained;
-  double missed = 0;
+  double cost = 0;  // of frames that should show it, and of where it stands
 };
 
 // So many of `count` at most, evenly.
@@ -202,12 +208,23 @@ class Search {
     for (const size_t k : SelectEvenly(all.size(), options_.most_views)) {
       const SeenView& view = *all[k];
       const MapObservation& observation = frames_[view.frame].observations[view.observation];
-      sources_.push_back(MakeSource(observation, view, T_world_camera_[view.frame]));
+      const Eigen::Vector3d up_world = T_world_camera_[view.frame].linear() * frames_[view.frame].up_camera;
+      sources_.push_back(MakeSource(observation, view, T_world_camera_[view.frame], up_world));
       for (const double distance : kDistances) {
         const Eigen::Vector3d t = distance * observation.measured.T_camera_object.translation();
-        candidates_.push_back({sources_.size() - 1, T_world_camera_[view.frame] * t, {}, 0});
+        candidates_.push_back(
+            {sources_.size() - 1, T_world_camera_[view.frame] * t, {}, HeightCost(sources_.back(), t)});
       }
     }
+  }
+
+  // Of an object with its centre at t in the source's camera, metres, that should stand on the floor.
+  double HeightCost(const Source& source, const Eigen::Vector3d& t) const {
+    const MapFrame& frame = frames_[source.view.frame];
+    if (!frame.camera_height || !source.view.model->spec.stands_on_floor) return 0;
+    const auto& [height, sigma] = *frame.camera_height;
+    const double off = source.below - frame.up_camera.dot(t) - height;
+    return std::min(kMostHeightCost, 0.5 * std::pow(off / std::hypot(sigma, kHeightSigma * height), 2));
   }
 
   // What the candidates of one source explain in one frame.
@@ -231,14 +248,14 @@ class Search {
         candidate.explained.push_back({i, view.observation, *evidence});
         is_detected = true;
       }
-      if (!is_detected && at.z() < kSeenFrom && AreWholeInImage(sides, camera)) candidate.missed += kMissCost;
+      if (!is_detected && at.z() < kSeenFrom && AreWholeInImage(sides, camera)) candidate.cost += kMissCost;
     }
   }
 
   // By what is not taken; one detection a frame.
   ObjectCandidate Support(const Candidate& candidate) const {
     ObjectCandidate result;
-    result.support = -kObjectCost - candidate.missed;
+    result.support = -kObjectCost - candidate.cost;
     const std::vector<Explained>& explained = candidate.explained;
     for (size_t e = 0; e < explained.size();) {
       const size_t frame = explained[e].frame;

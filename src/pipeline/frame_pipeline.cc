@@ -115,13 +115,15 @@ std::vector<ObjectObservation> CollectObservations(const FrameInput& input,
 }  // namespace
 
 FramePipeline::FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                             std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric)
+                             std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric,
+                             std::optional<FloorPrior> camera_height)
     : options_(std::move(options)),
       camera_(camera),
       categories_(Share(std::move(categories))),
       up_odom_(up_odom),
+      camera_height_(options_.floor.enabled ? camera_height : std::nullopt),
       detector_(MakeLineDetector(options_.lines)),
-      floor_(options_.floor),
+      floor_(options_.floor, camera_height_),
       tracks_(options_.tracks, odometry_is_metric),
       map_(options_.mapping, options_.association.box, options_.resection) {}
 
@@ -255,6 +257,7 @@ void FramePipeline::AddToMap(const FrameInput& input, const FrameResult& frame,
   added.follows_jump = frame.follows_jump;
   added.up_camera = frame.up_camera;
   added.up_sigma = frame.up_sigma;
+  added.camera_height = camera_height_;
   for (auto& [view, track, result] : objects) {
     view.track_prior.reset();
     view.occluders.clear();

@@ -47,7 +47,8 @@ class FramePipeline {
   // `up_odom`: the up direction in the odometry's frame, where the sequence gives one. `odometry_is_metric`:
   // its unit is the metre; otherwise the objects tell its scale.
   FramePipeline(Options options, Camera camera, std::vector<CategoryModel> categories,
-                std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric = false);
+                std::optional<Eigen::Vector3d> up_odom, bool odometry_is_metric = false,
+                std::optional<FloorPrior> camera_height = std::nullopt);
   FramePipeline(const FramePipeline&) = delete;
   FramePipeline& operator=(const FramePipeline&) = delete;
 
@@ -93,6 +94,7 @@ class FramePipeline {
   Camera camera_;
   std::vector<std::shared_ptr<const CategoryModel>> categories_;
   std::optional<Eigen::Vector3d> up_odom_;
+  std::optional<FloorPrior> camera_height_;
   std::unique_ptr<LineDetector> detector_;
   UpEstimator up_estimator_;
   FloorHeight floor_;

@@ -24,6 +24,7 @@ double CameraHeightAbove(const Wireframe& wireframe, const Eigen::Isometry3d& T_
 
 std::optional<FloorPrior> FloorHeight::Predict(double timestamp, std::optional<double> climb) {
   if (!options_.enabled) return std::nullopt;
+  if (known_) return known_;
   if (last_timestamp_) {
     const double passed = std::sqrt(std::max(0.0, timestamp - *last_timestamp_));
     // Even a climb that is known leaves slow errors: of the up direction, of the scale.
@@ -41,7 +42,7 @@ std::optional<FloorPrior> FloorHeight::Predict(double timestamp, std::optional<d
 // itself.
 void FloorHeight::Update(const SingleViewResult& result, const CategoryModel& model,
                          const Eigen::Vector3d& up_camera) {
-  if (!options_.enabled || !model.spec.stands_on_floor) return;
+  if (!options_.enabled || known_ || !model.spec.stands_on_floor) return;
   const Wireframe wireframe = WireframeFromCoefficients(model, result.measured.estimate.coefficients);
   const double measured = CameraHeightAbove(wireframe, result.measured.estimate.T_camera_object, up_camera);
   const double along_up = up_camera.transpose() * result.measured.covariance.block<3, 3>(3, 3) * up_camera;

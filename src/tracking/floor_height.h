@@ -2,7 +2,8 @@
 // How high the camera is above the floor, learnt from the furniture that stands on it.
 //
 // One view leaves an object's distance uncertain by some 6 % because its size is; objects that share a floor
-// share that distance, and a box that the image cuts on three sides hardly has one of its own.
+// share that distance, and a box that the image cuts on three sides hardly has one of its own. Or it is
+// known: a robot's camera is mounted.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +23,9 @@ struct FloorOptions {
 
 class FloorHeight {
  public:
-  explicit FloorHeight(const FloorOptions& options)
-      : options_(options), height_(options.initial_height), sigma_(options.initial_sigma) {}
+  // `known`: at all times; nothing is learnt then.
+  explicit FloorHeight(const FloorOptions& options, const std::optional<FloorPrior>& known = std::nullopt)
+      : options_(options), known_(known), height_(options.initial_height), sigma_(options.initial_sigma) {}
 
   // The prior for a frame at this time. `climb`: how far the camera rose since the last frame, metres; none
   // where the odometry or its scale is not known.
@@ -34,6 +36,7 @@ class FloorHeight {
 
  private:
   FloorOptions options_;
+  std::optional<FloorPrior> known_;
   double height_;  // metres
   double sigma_;   // metres
   std::optional<double> last_timestamp_;

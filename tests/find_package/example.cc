@@ -11,7 +11,8 @@ int main(int, char** arguments) {
   using namespace armature;
   const std::vector<CategoryModel> models = LoadCategories(arguments[1]);
   const Sequence sequence = LoadSequence(arguments[2], {"chair", "table", "laptop"});
-  FramePipeline pipeline(Options{}, sequence.camera, models, sequence.up, sequence.odometry_metric);
+  FramePipeline pipeline(Options{}, sequence.camera, models, sequence.up, sequence.odometry_metric,
+                         sequence.camera_height);
   for (size_t i = 0; i < sequence.images.size(); ++i) {
     const auto& [timestamp, file, line] = sequence.images[i];
     const cv::Mat gray = cv::imread(file, cv::IMREAD_GRAYSCALE);

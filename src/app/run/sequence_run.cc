@@ -235,7 +235,7 @@ SequenceRunResult RunSequence(const Sequence& given, const SequenceRunSettings& 
   RunWriter writer(folder, settings.models);
   writer.WriteConfig(settings.config_yaml);
   FramePipeline pipeline(settings.options, sequence.camera, settings.models, sequence.up,
-                         sequence.odometry_metric);
+                         sequence.odometry_metric, sequence.camera_height);
   NoteOdometryGaps(sequence);
   Overlays overlays(sequence, settings, writer.partial());
   const FramePace pace = RunFrames(sequence, settings, pipeline, writer, overlays);
