@@ -9,6 +9,7 @@
 #include "geometry/se3.h"
 #include "mapping/map_factors.h"
 #include "mapping/pose_block.h"
+#include "mapping/supports.h"
 #include "resection/resection_problem.h"
 #include "support/map_world.h"
 
@@ -298,6 +299,58 @@ TEST(FloorCost, LowestPointIsTheLowestOfAllEnds) {
     const ShapePoint lowest = LowestPoint(*object.model, object.coefficients);
     EXPECT_NEAR((lowest.X0 + lowest.G * object.coefficients).y(), LowestY(object), 1e-9) << category;
   }
+}
+
+TEST(SupportCost, DerivativesAgreeWithDifferences) {
+  const CategoryModel laptop = LoadModel("laptop"), table = LoadModel("table");
+  const GraphObject object = ExampleObject(laptop), on = ExampleObject(table);
+  ExpectJacobians(SupportCost(object, on, 0, 0.02), {BlockOf(object.T_world_object),
+                                                     BlockOf(object.coefficients),
+                                                     {0.2},
+                                                     BlockOf(on.T_world_object),
+                                                     BlockOf(on.coefficients),
+                                                     {-0.1},
+                                                     {0.1, -0.9, 0.3}});
+}
+
+// A laptop whose base is 0.8 m up, on a table whose top is 0.74 m up.
+TEST(SupportCost, IsTheHeightAboveTheFace) {
+  const CategoryModel laptop = LoadModel("laptop"), table = LoadModel("table");
+  GraphObject object = ExampleObject(laptop), on = ExampleObject(table);
+  on.coefficients.setZero();
+  object.T_world_object = Pose({0, 0.8, 0}, {3, 0.8 - LowestY(object), -2});
+  const double top = WireframeFromCoefficients(table, on.coefficients).midpoints(1, 0);
+  on.T_world_object = Pose({0, 0, 0}, {3, 0.74 - top, -2});
+  const Eigen::VectorXd r = Residuals(SupportCost(object, on, 0, 0.02), {BlockOf(object.T_world_object),
+                                                                         BlockOf(object.coefficients),
+                                                                         {0.0},
+                                                                         BlockOf(on.T_world_object),
+                                                                         BlockOf(on.coefficients),
+                                                                         {0.0},
+                                                                         {0, 1, 0}});
+  EXPECT_NEAR(r(0), 0.06 / 0.02, 1e-6);
+}
+
+TEST(FindSupports, GivesTheTableThatALaptopStandsOn) {
+  const CategoryModel laptop = LoadModel("laptop"), table = LoadModel("table"), chair = LoadModel("chair");
+  MapGraph graph;
+  graph.up_world = {0, 1, 0};
+  const auto put = [&](const CategoryModel& model, double x, double lowest) {
+    GraphObject object{&model, Eigen::Isometry3d::Identity(), Eigen::VectorXd::Zero(model.modes())};
+    object.T_world_object.translation() << x, lowest - LowestY(object), 0;
+    graph.objects.push_back(object);
+  };
+  put(chair, 0.4, 0);  // pushed under the table: its seat is lower
+  put(table, 0, 0);
+  put(laptop, 0.3, 0.8);
+  const std::vector<Support> supports = FindSupports(graph);
+  ASSERT_EQ(supports.size(), 1u);
+  EXPECT_EQ(supports[0].object, 2);
+  EXPECT_EQ(supports[0].on, 1);
+  graph.objects[2].T_world_object.translation().y() += 0.6;  // on a shelf above it
+  EXPECT_TRUE(FindSupports(graph).empty());
+  graph.objects[2].T_world_object.translation() += Eigen::Vector3d(3, -0.6, 0);  // beside it
+  EXPECT_TRUE(FindSupports(graph).empty());
 }
 
 TEST(HeightCost, IsTheCamerasHeightAboveTheFloor) {

@@ -6,6 +6,7 @@
 #include "geometry/rotation.h"
 #include "mapping/pose_block.h"
 #include "mapping/relative_pose_error.h"
+#include "mapping/supports.h"
 #include "resection/resection_problem.h"
 
 namespace armature {
@@ -115,6 +116,47 @@ bool FloorCost::Evaluate(double const* const* parameters, double* residuals, dou
   if (jacobians[2]) jacobians[2][0] = up_object.dot(point) / sigma_;
   if (jacobians[3]) Eigen::Map<Eigen::Vector3d>{jacobians[3]} = point_world / sigma_;
   if (jacobians[4]) jacobians[4][0] = -1 / sigma_;
+  return true;
+}
+
+SupportCost::SupportCost(const GraphObject& object, const GraphObject& on, int face, double sigma)
+    : sigma_(sigma) {
+  const std::array points{LowestPoint(*object.model, object.coefficients), FaceCentre(*on.model, face)};
+  for (size_t k = 0; k < 2; ++k) {
+    point_[k] = points[k].X0;
+    by_shape_[k] = points[k].G;
+    for (const int size : {7, static_cast<int>(points[k].G.cols()), 1})
+      mutable_parameter_block_sizes()->push_back(size);
+  }
+  mutable_parameter_block_sizes()->push_back(3);
+  set_num_residuals(1);
+}
+
+bool SupportCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+  const Eigen::Map<const Eigen::Vector3d> up(parameters[6]);
+  Eigen::Vector3d apart = Eigen::Vector3d::Zero();
+  for (const size_t k : {0, 1}) {
+    const size_t first = 3 * k;
+    const double sign = k == 0 ? 1 : -1;
+    const Eigen::Isometry3d T_world_object = FromBlock(parameters[first]);
+    const Eigen::Map<const Eigen::VectorXd> coefficients(parameters[first + 1], by_shape_[k].cols());
+    const double size = std::exp(parameters[first + 2][0]);
+    const Eigen::Vector3d point = size * (point_[k] + by_shape_[k] * coefficients);
+    apart += sign * (T_world_object * point);
+    if (!jacobians) continue;
+    const Eigen::RowVector3d up_object = sign / sigma_ * up.transpose() * T_world_object.linear();
+    if (jacobians[first]) {
+      Eigen::Map<Eigen::Matrix<double, 1, 7>> J(jacobians[first]);
+      J << -up_object * Skew(point), up_object, 0;
+    }
+    if (jacobians[first + 1]) {
+      Eigen::Map<Eigen::RowVectorXd>(jacobians[first + 1], by_shape_[k].cols()) =
+          size * up_object * by_shape_[k];
+    }
+    if (jacobians[first + 2]) jacobians[first + 2][0] = up_object.dot(point);
+  }
+  residuals[0] = up.dot(apart) / sigma_;
+  if (jacobians && jacobians[6]) Eigen::Map<Eigen::Vector3d>{jacobians[6]} = apart / sigma_;
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <ceres/sized_cost_function.h>
 
 #include <Eigen/Core>
+#include <array>
 
 #include "mapping/map_graph.h"
 
@@ -53,6 +54,19 @@ class FloorCost : public ceres::CostFunction {
   Eigen::Vector3d point_;      // mean shape, object frame
   Eigen::Matrix3Xd by_shape_;  // 3 x B
   double sigma_;               // metres
+};
+
+// An object stands on a face of another. Blocks: the object, its coefficients, log size, the other's, up (3).
+// 1 residual: how far the one's lowest point is above the other's face, over sigma.
+class SupportCost : public ceres::CostFunction {
+ public:
+  SupportCost(const GraphObject& object, const GraphObject& on, int face, double sigma);
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+
+ private:
+  std::array<Eigen::Vector3d, 2> point_;      // mean shape, object frame: of the one, of the other
+  std::array<Eigen::Matrix3Xd, 2> by_shape_;  // 3 x B
+  double sigma_;                              // metres
 };
 
 // A camera's height above the floor. Blocks: camera, up (3), floor's height along up. 1 residual.

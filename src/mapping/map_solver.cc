@@ -18,6 +18,7 @@
 #include "mapping/map_factors.h"
 #include "mapping/one_thread.h"
 #include "mapping/pose_block.h"
+#include "mapping/supports.h"
 #include "resection/resection_problem.h"
 
 namespace armature {
@@ -27,6 +28,8 @@ namespace {
 constexpr double kLeastExpectedSigma = 0.1;
 // Standard deviations, of the Cauchy loss on sizes: some furniture is of another kind, as coffee tables.
 constexpr double kSizeLossScale = 2;
+// The same on what stands on what: books may lie between, or it is over the table and not on it.
+constexpr double kSupportLossScale = 2;
 
 // The mean height along up of what the objects stand on, metres.
 double FloorBelow(const MapGraph& graph) {
@@ -122,6 +125,20 @@ void AddObjects(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
   }
 }
 
+// After objects and up have been added.
+void AddSupports(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
+                 ceres::Problem& problem) {
+  if (options.floor_sigma <= 0) return;
+  for (const Support& support : FindSupports(graph)) {
+    const auto object = static_cast<size_t>(support.object), on = static_cast<size_t>(support.on);
+    problem.AddResidualBlock(
+        new SupportCost(graph.objects[object], graph.objects[on], support.face, options.floor_sigma),
+        new ceres::CauchyLoss(kSupportLossScale), blocks.objects[object].data(), blocks.shapes[object].data(),
+        &blocks.log_size[object], blocks.objects[on].data(), blocks.shapes[on].data(), &blocks.log_size[on],
+        blocks.up.data());
+  }
+}
+
 // After up has been added.
 void AddHeights(const MapGraph& graph, const MapSolverOptions& options, Blocks& blocks,
                 ceres::Problem& problem) {
@@ -173,6 +190,7 @@ void AddFactors(const MapGraph& graph, const MapSolverOptions& options, Blocks& 
                 ceres::Problem& problem) {
   AddOdometry(graph, options, blocks, problem);
   AddObjects(graph, options, blocks, problem);
+  AddSupports(graph, options, blocks, problem);
   AddHeights(graph, options, blocks, problem);
   AddObservations(graph, options, blocks, problem);
 }

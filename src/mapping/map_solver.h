@@ -15,7 +15,7 @@ struct MapSolverOptions {
   double loss_scale = 3;         // of the Cauchy loss on an object factor, per square root of its 6 + B rows
   double shape_weight = 1.5;     // multiplies the coefficients in the category's shape prior
   double upright_sigma_deg = 1;  // degrees: of an object's y axis about up; 0: no such factor
-  double floor_sigma = 0.02;     // metres: of the floor below an object that stands on it; 0: none
+  double floor_sigma = 0.02;  // metres: of the floor or the face below an object that stands on it; 0: none
   double scale_drift_sigma = 0.02;  // of the scale's logarithm from knot to knot
 };
 
