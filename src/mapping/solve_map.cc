@@ -20,7 +20,7 @@ namespace {
 constexpr double kLeastScaleSigma = 0.005;  // of the map's scale, when shapes are told: never surer
 
 // Of objects that stay in the map, in the first pass and in the last.
-constexpr std::array kLeastProbability{0.2, 0.3};
+constexpr std::array kLeastProbability{0.2, 0.5};
 
 struct MapInput {
   const std::vector<MapFrame>& frames;
