@@ -60,8 +60,8 @@ void AddSubjects(CLI::App& bench, BenchArguments& a) {
                    ->type_name("NAME")
                    ->delimiter(',')
                    ->allow_extra_args(false),
-              {"lines", "lines:default", "lines:fast", "lines:paper", "keypoints:published", "keypoints:wait",
-               "keypoints:hourglass"});
+              {"lines", "lines:default", "lines:fast", "lines:paper", "lines:paper_meant",
+               "keypoints:published", "keypoints:wait", "keypoints:hourglass"});
   bench
       .add_option("--micro", a.micro, "which micro-benchmarks or families of them, as hypothesis:chair (all)")
       ->type_name("NAME")

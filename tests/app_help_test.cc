@@ -123,7 +123,7 @@ TEST(AppCompletion, OffersWhatMayFollow) {
       {"armature --qu", "--quiet"},
       {"armature run --pre", "--preset"},
       {"armature run --preset f", "fast"},
-      {"armature run --preset=pa", "paper"},
+      {"armature run --preset=pa", "paper paper_meant"},
       {"armature --quiet run --verb", "--verbose"},
       {"armature run ", "folder"},
       {"armature run --config f", "file.txt folder"},

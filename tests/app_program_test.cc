@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <sstream>
 
 #include "cli/configuration.h"
@@ -78,12 +79,14 @@ TEST(AppProgram, BadUsageIsOneLine) {
 }
 
 TEST(AppPresets, AllCanBeLoaded) {
-  for (const std::string preset : {"default", "paper", "fast"}) {
+  std::set<std::string> different;
+  for (const std::string preset : {"default", "paper", "paper_meant", "fast"}) {
     ConfigurationArguments arguments;
     arguments.preset = preset;
     Options options = LoadOptions(arguments), defaults;
-    const bool is_default = EffectiveYaml(OptionTable(options)) == EffectiveYaml(OptionTable(defaults));
-    EXPECT_EQ(is_default, preset == "default") << preset;
+    const std::string yaml = EffectiveYaml(OptionTable(options));
+    EXPECT_EQ(yaml == EffectiveYaml(OptionTable(defaults)), preset == "default") << preset;
+    EXPECT_TRUE(different.insert(yaml).second) << preset << " is another preset";
   }
 }
 

@@ -287,6 +287,16 @@ TEST(AppRun, JitterChangesResultsALittleAndTheSameSeedInTheSameWay) {
                           {"--jitter"});
 }
 
+TEST(AppRun, ThePaperAsMeantRunsToTheEnd) {
+  const TempFolder folder;
+  WriteTinySequence(folder);
+  RunOk({"run", folder.path(), "--out", folder / "a", "--preset", "paper_meant"});
+  const std::string config = ReadFile(folder / "a/config.yaml");
+  EXPECT_NE(config.find("cost: meant"), std::string::npos) << config;
+  EXPECT_NE(config.find("line_term: planes"), std::string::npos) << config;
+  EXPECT_TRUE(std::filesystem::exists(folder / "a/trajectory.txt")) << "there is a map, of cameras alone";
+}
+
 TEST(AppRun, TheConfigurationOfARunRepeatsIt) {
   const TempFolder folder;
   WriteTinySequence(folder);

@@ -150,15 +150,40 @@ TEST(PrintedCost, FollowsTheEquations) {
   // p1 = 2, p2 = 6, middles (50, 0) and (30, 4)
   const Segment segment{{10, 2}, {50, 6}};
   const double expected = 4 + 0.5 * 4 + 0.25 * std::hypot(20, 4);
-  EXPECT_NEAR(PrintedPairCost(edge, segment, {0.5, 0.25}), expected, 1e-12);
+  EXPECT_NEAR(PrintedPairCost(edge, segment, {0.5, 0.25}, OffsetSign::kPrinted), expected, 1e-12);
+  EXPECT_NEAR(PrintedPairCost(edge, segment, {0.5, 0.25}, OffsetSign::kNone), expected, 1e-12);
 }
 
 TEST(PrintedCost, SignedOffsetRewardsTheWrongSide) {
   // As printed, a segment on the negative side costs less than one on the edge: the reason for the default
   // cost.
   const Segment edge{{0, 0}, {100, 0}};
-  EXPECT_LT(PrintedPairCost(edge, {{0, -30}, {100, -30}}, {1, 0}),
-            PrintedPairCost(edge, {{0, 0}, {100, 0}}, {1, 0}));
+  EXPECT_LT(PrintedPairCost(edge, {{0, -30}, {100, -30}}, {1, 0}, OffsetSign::kPrinted),
+            PrintedPairCost(edge, {{0, 0}, {100, 0}}, {1, 0}, OffsetSign::kPrinted));
+}
+
+TEST(PrintedCost, MeantOffsetsCostAlikeOnBothSides) {
+  const Segment edge{{0, 0}, {100, 0}}, below{{0, 30}, {100, 30}}, above{{0, -30}, {100, -30}};
+  EXPECT_DOUBLE_EQ(PrintedPairCost(edge, below, {1, 0}, OffsetSign::kNone), 30);
+  EXPECT_DOUBLE_EQ(PrintedPairCost(edge, above, {1, 0}, OffsetSign::kNone), 30);
+}
+
+TEST(PrintedCost, ACrossingSegmentThatCostsNothingAsPrintedCostsAsMeant) {
+  // p1 = -2, p2 = -6: as printed C1 = 4 and C2 = -4 cancel, however far the segment runs across.
+  const Segment edge{{0, 0}, {100, 0}}, segment{{40, -2}, {60, -6}};
+  EXPECT_DOUBLE_EQ(PrintedPairCost(edge, segment, {1, 0}, OffsetSign::kPrinted), 0);
+  EXPECT_DOUBLE_EQ(PrintedPairCost(edge, segment, {1, 0}, OffsetSign::kNone), 8);
+}
+
+TEST(PrintedCost, AsMeantTheEdgeTakesTheSegmentOnIt) {
+  ProjectedWireframe projected;
+  projected.edges = {HorizontalEdge(100, 0, 100)};
+  const Segment on_it{{10, 101}, {90, 101}}, far{{10, 60}, {90, 60}};
+  const auto taken = [&](OffsetSign sign) {
+    return AssociateAsPrinted(projected, {far, on_it}, {1, 0.1}, sign).matches.at(0).segment.p1.y();
+  };
+  EXPECT_EQ(taken(OffsetSign::kPrinted), 60) << "40 px off, on the side that is paid for";
+  EXPECT_EQ(taken(OffsetSign::kNone), 101);
 }
 
 TEST(BoxConstraints, SidesAtTheBorderAreOpen) {

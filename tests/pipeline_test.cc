@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <opencv2/core.hpp>
 
 #include "geometry/rotation.h"
+#include "io/options_yaml.h"
 #include "pipeline/frame_pipeline.h"
 #include "pipeline/object_estimator.h"
+#include "pipeline/options.h"
 #include "support/expect_input_error.h"
 #include "support/synthetic_view.h"
 #include "tracking/floor_height.h"
@@ -82,6 +85,29 @@ TEST(ObjectEstimator, ThePrintedVariantRuns) {
   EXPECT_TRUE(result.estimate.T_camera_object.matrix().allFinite());
   EXPECT_EQ(result.estimate.matches.size(),
             synthetic.model.spec.edge_names.size());  // every edge takes a segment
+}
+
+double TurnDeg(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle() / kDegree;
+}
+
+ObjectEstimate EstimateByPreset(const std::string& preset, const ObjectView& view) {
+  Options options;
+  const auto presets = std::filesystem::path(ARMATURE_SOURCE_DIR) / "configs/presets";
+  ApplyYaml(presets / (preset + ".yaml"), OptionTable(options));
+  return EstimateObject(view, options.association, options.resection).estimate;
+}
+
+TEST(ObjectEstimator, ThePaperWorksAsMeantAndNotAsPrinted) {
+  const SyntheticView synthetic("chair", 0.6, {0.2, 0.2, 2.2}, Eigen::Vector2d::Zero());
+  const Eigen::Isometry3d& truth = synthetic.truth.T_camera_object;
+  const ObjectEstimate meant = EstimateByPreset("paper_meant", synthetic.view);
+  EXPECT_EQ(meant.status, EstimateStatus::kOk);
+  EXPECT_EQ(meant.matches.size(), synthetic.model.spec.edge_names.size()) << "every edge takes a segment";
+  EXPECT_LT((meant.T_camera_object.translation() - truth.translation()).norm(), 0.3);
+  EXPECT_LT(TurnDeg(meant.T_camera_object, truth), 15);
+  const ObjectEstimate printed = EstimateByPreset("paper", synthetic.view);
+  EXPECT_GT(TurnDeg(printed.T_camera_object, truth), 15);
 }
 
 TEST(UpEstimator, VerticalSegmentsCorrectTheVotes) {

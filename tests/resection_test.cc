@@ -128,6 +128,25 @@ TEST_P(ResectionDerivatives, GiveTheNormalEquationsOfTheirJacobian) {
   }
 }
 
+// A segment through the principal point along the rows lies in the plane of normal (0, 1, 0): of eq. 19's two
+// squares, M moves with T along y and D does not, and what is known of T is 1 / sigma^2 along y alone.
+TEST(LineTerm, PlanesMeasureTheEdgeAcrossTheSegmentsPlaneInMetres) {
+  SyntheticView synthetic("chair", 0.5, {0.2, 0.3, 2.5}, Eigen::Vector3d(0.5, -0.4, 0.3));
+  synthetic.view.up_camera.reset();
+  const std::vector<EdgeMatch> matches{{3, {{400, 239.5}, {500, 239.5}}, 0}};
+  ResectionOptions options;
+  options.line_term = LineTerm::kPlanes;
+  options.box_weight = 0;
+  options.up_sigma_deg = 2;
+  const ProjectedWireframe projected = synthetic.Project(synthetic.truth);
+  const ImageEvidence evidence = EvidenceAt(
+      {synthetic.view, synthetic.view.sides, matches, projected, synthetic.truth, BoxOptions{}, options});
+  Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
+  expected(1, 1) = std::pow(90 / M_PI, 2);
+  EXPECT_TRUE((evidence.information.block<3, 3>(3, 3)).isApprox(expected, 1e-9));
+  EXPECT_TRUE(evidence.gradient.isZero(0)) << "the estimate is what was measured";
+}
+
 // A well-posed problem: every edge is seen, by segments that are a little off.
 ResectionProblem SolvableProblem(const SyntheticView& synthetic) {
   ResectionProblem problem = ProblemOf(synthetic);

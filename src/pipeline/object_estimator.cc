@@ -49,11 +49,15 @@ struct Candidate {
   bool finite() const { return stop != StopReason::kNotFinite; }
 };
 
+OffsetSign SignOf(AssociationCost cost) {
+  return cost == AssociationCost::kPrinted ? OffsetSign::kPrinted : OffsetSign::kNone;
+}
+
 double PrintedCost(const ObjectView& view, const PoseAndShape& at, const Wireframe& wireframe,
                    const AssociationOptions& options, ProjectedWireframe& scratch) {
   const Box everywhere{-1e6, -1e6, 2e6, 2e6};
   ProjectEdges(*view.camera, wireframe, at.T_camera_object, everywhere, scratch);
-  return AssociateAsPrinted(scratch, view.segments, options.printed).cost;
+  return AssociateAsPrinted(scratch, view.segments, options.printed, SignOf(options.cost)).cost;
 }
 
 // None where even perfectly matched lines would leave the cost above the bound.
@@ -89,7 +93,7 @@ std::vector<Ranked> Rank(const ObjectView& view, const std::vector<Wireframe>& d
     const int index = hypotheses[i].dictionary_index;
     const Wireframe& wireframe = index < 0 ? remembered : dictionary[static_cast<size_t>(index)];
     const std::optional<double> cost =
-        options.cost == AssociationCost::kPrinted
+        options.cost != AssociationCost::kCoverage
             ? PrintedCost(view, hypotheses[i].start, wireframe, options, scratch)
             : CoverageCost(view, hypotheses[i], wireframe, gate, best + kPruneMargin, options, scratch);
     if (!cost) continue;
@@ -132,8 +136,8 @@ std::vector<Candidate> Search(const ObjectView& view, const AssociationOptions& 
 
 std::vector<EdgeMatch> Associate(const ObjectView& view, const ProjectedWireframe& projected,
                                  const MatchGate& gate, const AssociationOptions& options) {
-  if (options.cost == AssociationCost::kPrinted)
-    return AssociateAsPrinted(projected, view.segments, options.printed).matches;
+  if (options.cost != AssociationCost::kCoverage)
+    return AssociateAsPrinted(projected, view.segments, options.printed, SignOf(options.cost)).matches;
   return MatchSegments(projected, view.segments, gate).matches;
 }
 
@@ -165,7 +169,7 @@ void Score(const ObjectView& view, const AssociationOptions& options, Candidate&
   const BoxSides& sides = candidate.hypothesis.sides;
   Project(view, candidate.estimate, sides, projected);
   const Wireframe wireframe = WireframeFromCoefficients(*view.model, candidate.estimate.coefficients);
-  if (options.cost == AssociationCost::kPrinted) {
+  if (options.cost != AssociationCost::kCoverage) {
     candidate.cost = PrintedCost(view, candidate.estimate, wireframe, options, projected);
     return;
   }

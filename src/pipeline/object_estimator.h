@@ -13,13 +13,15 @@ namespace armature {
 
 enum class AssociationCost {
   kCoverage,  // what the lines leave unexplained, hypothesis_cost.h
-  kPrinted,   // the paper's C1 + k1 C2 + k2 C3
+  kPrinted,   // the paper's C1 + k1 C2 + k2 C3, printed_cost.h
+  kMeant,     // the same with |C2|
 };
 
 template <>
 struct EnumNames<AssociationCost> {
   static constexpr NamedValue<AssociationCost> kTable[] = {{AssociationCost::kCoverage, "coverage"},
-                                                           {AssociationCost::kPrinted, "printed"}};
+                                                           {AssociationCost::kPrinted, "printed"},
+                                                           {AssociationCost::kMeant, "meant"}};
 };
 
 struct AssociationOptions {

@@ -56,7 +56,8 @@ Rows TrackRows(Options& options) {
 
 Rows AssociationRows(Options& options) {
   return {
-      OPTION(association.cost, "how hypotheses are judged: coverage, or the paper's printed cost"),
+      OPTION(association.cost,
+             "how hypotheses are judged: coverage, or the paper's cost as printed or as meant, with |C2|"),
       OPTION(association.refined_hypotheses,
              "how many of the best hypotheses go on from the search to resection", 1, 1000),
       OPTION(association.rounds, "rounds of association and resection for each of them", 1, 100),
@@ -86,6 +87,9 @@ Rows AssociationRows(Options& options) {
 Rows ResectionRows(Options& options) {
   return {
       OPTION(resection.mode, "pose and shape jointly, or alternating as in the paper"),
+      OPTION(resection.line_term,
+             "what keeps an edge on its segment: image, or the paper's planes; these are for "
+             "mapping.refinement.rounds 0"),
       OPTION(resection.normal_term,
              "what is kept upright: the object's axis, the normal of its base, or what the paper prints"),
       OPTION(resection.segment_sigma,
@@ -137,8 +141,8 @@ Rows ExpertRows(Options& options) {
       EXPERT_OPTION(association.search_gate, "distance gate of the search, share of the box's diagonal",
                     0.001, 1),
       EXPERT_OPTION(association.final_gate_pixels, "distance gate of the last round, pixels", 0.5, 100),
-      EXPERT_OPTION(association.printed.k1, "weight of C2 in the paper's printed cost", 0, 1000),
-      EXPERT_OPTION(association.printed.k2, "weight of C3 in the paper's printed cost", 0, 1000),
+      EXPERT_OPTION(association.printed.k1, "weight of C2 in the paper's cost", 0, 1000),
+      EXPERT_OPTION(association.printed.k2, "weight of C3 in the paper's cost", 0, 1000),
       EXPERT_OPTION(resection.solver,
                     "solver of mode joint: our own of fixed size, or the reference, ceres::TinySolver"),
       EXPERT_OPTION(resection.max_iterations, "most iterations of the solver in each round", 1, 1000),

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/rotation.h"
@@ -43,6 +44,19 @@ void AddMatches(const std::vector<EdgeMatch>& matches, const ProjectedWireframe&
       ShapePoint point = PointOnEdge(*problem.model, match.edge, PositionOnEdge(edge, end));
       point.X0.y() -= edge.drop;
       problem.line_terms.push_back({point, line, weight / sigma, kSegmentLossScale, false});
+    }
+  }
+}
+
+// |N . R D|^2 + |N . (R M + T)|^2 is half the sum of the squared distances of M + D and M - D from the plane.
+void AddPlanes(const std::vector<EdgeMatch>& matches, double weight, ResectionProblem& problem) {
+  constexpr double kNotRobust = std::numeric_limits<double>::infinity();
+  for (const EdgeMatch& match : matches) {
+    const Eigen::Vector3d normal =
+        problem.camera->Ray(match.segment.p1).cross(problem.camera->Ray(match.segment.p2)).normalized();
+    for (const double s : {-1.0, 1.0}) {
+      const ShapePoint point = PointOnEdge(*problem.model, match.edge, s);
+      problem.plane_terms.push_back({point, normal, 0, weight * std::sqrt(0.5), kNotRobust});
     }
   }
 }
@@ -146,7 +160,11 @@ ResectionProblem MakeProblem(const ResectionInput& input) {
     problem.normal_term = NormalTerm::kNone;
   }
   problem.line_terms.reserve(2 * matches.size() + 4);
-  AddMatches(matches, projected, options, problem);
+  if (options.line_term == LineTerm::kPlanes) {
+    AddPlanes(matches, 1 / (options.up_sigma_deg * kDegree), problem);
+  } else {
+    AddMatches(matches, projected, options, problem);
+  }
   AddBox(view, sides, projected, box, options, problem);
   AddFloor(view, at, problem);
   return problem;
@@ -192,6 +210,14 @@ Eigen::MatrixXd Covariance(const ResectionProblem& problem, const Eigen::VectorX
   return information.ldlt().solve(Eigen::MatrixXd::Identity(x.size(), x.size()));
 }
 
+// Eq. 28: the pose and shape that were found, as sure as eqs. 24 and 25 leave them without the statistics.
+ImageEvidence EvidenceOfEstimate(const ResectionInput& input) {
+  ResectionProblem problem = MakeProblem(input);
+  problem.shape_weight = 0;
+  const Eigen::VectorXd x = UnknownsAt(problem, input.at.coefficients);
+  return {Linearise<Eigen::Dynamic>(problem, x.data()).information, Eigen::VectorXd::Zero(x.size())};
+}
+
 }  // namespace
 
 ResectionResult ResectFrom(ResectionProblem& problem, const Eigen::VectorXd& coefficients,
@@ -224,6 +250,7 @@ Measurement MeasurementAt(const ResectionInput& optimum) {
 }
 
 ImageEvidence EvidenceAt(const ResectionInput& input) {
+  if (input.options.line_term == LineTerm::kPlanes) return EvidenceOfEstimate(input);
   const auto& [view, sides, matches, projected, at, box, options] = input;
   ResectionProblem problem;
   problem.camera = view.camera;

@@ -35,9 +35,23 @@ struct EnumNames<ResectionSolver> {
                                                            {ResectionSolver::kCeres, "ceres"}};
 };
 
+// What keeps an edge on its segment.
+enum class LineTerm {
+  kImage,   // the segment's ends lie on the edge's projection: pixels, robust, by length
+  kPlanes,  // the paper's eq. 19: the edge lies in the plane of the segment and the camera; metres, plain
+            // squares, of the same weight as the normal term (eq. 24), none of them by length
+};
+
+template <>
+struct EnumNames<LineTerm> {
+  static constexpr NamedValue<LineTerm> kTable[] = {{LineTerm::kImage, "image"},
+                                                    {LineTerm::kPlanes, "planes"}};
+};
+
 struct ResectionOptions {
   ResectionMode mode = ResectionMode::kJoint;
   ResectionSolver solver = ResectionSolver::kSmall;  // of mode kJoint; kAlternating always has kCeres
+  LineTerm line_term = LineTerm::kImage;
   NormalTerm normal_term = NormalTerm::kAxis;
   int max_iterations = 5;       // of the optimiser, each round
   int alternations = 5;         // of mode kAlternating
@@ -99,7 +113,8 @@ Measurement MeasurementAt(const ResectionInput& optimum);
 
 // The cost of this image's lines and box alone (no up, floor, track prior or shape statistics) about a pose
 // and shape, to second order: 1/2 d^T information d + gradient^T d with d = (rotation, translation,
-// coefficients), 6 + B numbers, the rotation and translation as of ObjectEstimate::covariance.
+// coefficients), 6 + B numbers, the rotation and translation as of ObjectEstimate::covariance. With line term
+// planes the estimate itself is what was measured, as in eq. 28: up is part of it, and the gradient is 0.
 struct ImageEvidence {
   Eigen::MatrixXd information;  // (6+B) x (6+B), of Gauss and Newton: positive semi-definite
   Eigen::VectorXd gradient;     // 6+B
