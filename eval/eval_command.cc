@@ -103,7 +103,12 @@ Evaluation RoomTables(const EvalArguments& arguments, const std::vector<RunToEva
 }
 
 Evaluation MakeFolderTables(const EvalArguments& arguments, TableFormat format) {
-  const std::vector<RunToEvaluate> runs = FindRuns(arguments.runs, arguments.ground_truth);
+  // Each room is judged by the truth of its own run; other tables put the runs of a sequence together.
+  const bool are_over_rooms =
+      !arguments.tables.empty() && Asked(kRoomTableNames, arguments).size() == arguments.tables.size();
+  const std::vector<RunToEvaluate> runs =
+      FindRuns(arguments.runs, arguments.ground_truth,
+               are_over_rooms ? RunsOfASequence::kOfOneOrigin : RunsOfASequence::kOfOneFolder);
   Evaluation made = MakeRunTables(arguments, runs, format);
   if (!made.tables.empty() || IsAsked(kLibraryTableName, arguments)) return made;
   throw InputError(fmt::format(

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/errors.h"
+#include "eval/budget/substitution.h"
 #include "io/output_folder.h"
 #include "io/sequence.h"
 
@@ -57,11 +58,15 @@ fs::path FindTruth(const RunIdentity& run, const std::map<std::string, fs::path>
                   run.folder.string(), run.sequence));
 }
 
-// The runs on a sequence are compared with one truth.
-void CheckSameTruth(const std::vector<const RunToEvaluate*>& runs) {
+// The runs on a sequence are compared with one truth, or with what was made of it.
+void CheckSameTruth(const std::vector<const RunToEvaluate*>& runs, RunsOfASequence common) {
+  const auto place = [&](const RunToEvaluate& run) {
+    return common == RunsOfASequence::kOfOneOrigin ? OriginOfSequence(run.truth)
+                                                   : fs::weakly_canonical(run.truth);
+  };
   const RunToEvaluate& first = *runs.front();
   for (const RunToEvaluate* run : runs) {
-    if (fs::weakly_canonical(run->truth) == fs::weakly_canonical(first.truth)) continue;
+    if (place(*run) == place(first)) continue;
     throw InputError(fmt::format(
         "{}: is a run of another sequence '{}' ({}) than {} ({}); give the names in their sequence.yaml, or "
         "the one true folder with --groundtruth",
@@ -70,11 +75,11 @@ void CheckSameTruth(const std::vector<const RunToEvaluate*>& runs) {
   }
 }
 
-void NameRuns(std::vector<RunToEvaluate>& runs) {
+void NameRuns(std::vector<RunToEvaluate>& runs, RunsOfASequence common) {
   std::map<std::string, std::vector<RunToEvaluate*>> of_sequence;
   for (RunToEvaluate& run : runs) of_sequence[run.run.sequence].push_back(&run);
   for (const auto& [sequence, its_runs] : of_sequence) {
-    CheckSameTruth({its_runs.begin(), its_runs.end()});
+    CheckSameTruth({its_runs.begin(), its_runs.end()}, common);
     std::vector<fs::path> folders;
     for (const RunToEvaluate* run : its_runs) folders.push_back(run->run.folder);
     const std::vector<std::string> names = RunNames(folders, sequence);
@@ -88,8 +93,8 @@ bool RunToEvaluate::HasTruth(const std::string& file) const { return fs::exists(
 
 bool RunToEvaluate::HasResult(const std::string& file) const { return fs::exists(run.folder / file); }
 
-std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders,
-                                    const std::vector<fs::path>& truths) {
+std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders, const std::vector<fs::path>& truths,
+                                    RunsOfASequence common) {
   const std::map<std::string, fs::path> given = FoldersByName(truths);
   std::vector<RunToEvaluate> runs;
   for (const fs::path& folder : folders) {
@@ -99,7 +104,7 @@ std::vector<RunToEvaluate> FindRuns(const std::vector<fs::path>& folders,
       if (run != folder) runs.back().within = folder;
     }
   }
-  NameRuns(runs);
+  NameRuns(runs, common);
   return runs;
 }
 

@@ -22,12 +22,17 @@ struct RunToEvaluate {
   bool HasResult(const std::string& file) const;
 };
 
+// What the runs on a sequence have in common: the folder, or the one that theirs are or were made from by
+// `armature substitute`.
+enum class RunsOfASequence { kOfOneFolder, kOfOneOrigin };
+
 // The runs in or at the folders, in the order given. `truths`: sequence folders with ground truth
 // (groundtruth.txt or objects_gt.csv), or folders of such; empty: where each run says that its sequence is.
 // Throws InputError: no finished run, two truths of one name, a run of a sequence whose truth is not known,
-// two runs of one sequence that was in different places.
+// two runs of one sequence that have not that in common.
 std::vector<RunToEvaluate> FindRuns(const std::vector<std::filesystem::path>& folders,
-                                    const std::vector<std::filesystem::path>& truths);
+                                    const std::vector<std::filesystem::path>& truths,
+                                    RunsOfASequence common = RunsOfASequence::kOfOneFolder);
 
 // Short names of runs that tell them apart: the folder's name, that of the folder around it where the folder
 // is named after the sequence, and the paths as they are where those are not distinct.

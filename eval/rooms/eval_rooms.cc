@@ -8,6 +8,7 @@
 
 #include "base/console.h"
 #include "base/errors.h"
+#include "eval/rooms/error_budget.h"
 #include "eval/rooms/room_factors.h"
 #include "eval/rooms/room_stability.h"
 #include "eval/rooms/room_statistics.h"
@@ -71,6 +72,8 @@ Evaluation MakeRunRoomTables(const std::vector<RunToEvaluate>& runs, const std::
   if (has("rooms")) made.tables.push_back(RoomTable(variants, records.rooms));
   if (has("room_differences") && variants.size() > 1)
     made.tables.push_back(RoomDifferenceTable(records.room_differences));
+  if (has("error_budget") && variants.size() > 1)
+    made.tables.push_back(ErrorBudgetTable(variants, arguments.gate_m));
   if (has("stability") && !repeated.empty()) made.tables.push_back(StabilityTable(repeated));
   if (has("worst_rooms")) made.tables.push_back(WorstRoomTable(variants.front(), arguments.gate_m));
   if (has("room_factors")) made.tables.push_back(RoomFactorTable(variants.front()));

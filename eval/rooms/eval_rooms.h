@@ -15,8 +15,8 @@ namespace armature {
 
 // The kinds of tables over rooms, in the order in which they are printed. They are made when they are asked
 // for.
-inline const std::vector<std::string> kRoomTableNames{"rooms",       "room_differences", "stability",
-                                                      "worst_rooms", "room_factors",     "room_groups"};
+inline const std::vector<std::string> kRoomTableNames{
+    "rooms", "room_differences", "error_budget", "stability", "worst_rooms", "room_factors", "room_groups"};
 
 // Where raw rows go; empty: nowhere.
 struct RawRoomFiles {

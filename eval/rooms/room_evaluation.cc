@@ -11,6 +11,7 @@
 #include "base/errors.h"
 #include "base/interrupt.h"
 #include "category/category_lookup.h"
+#include "eval/budget/substitution.h"
 #include "eval/trajectories/trajectory_metrics.h"
 #include "io/csv.h"
 
@@ -19,18 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A camera that moves less, from the mean of its positions, tells no scale.
-constexpr double kLeastMotion_m = 0.05;
-
-double SpreadOfTruth(const std::vector<PosePair>& pairs) {
-  Eigen::Vector3d mean(0, 0, 0);
-  const double n = static_cast<double>(pairs.size());
-  for (const PosePair& pair : pairs) mean += pair.truth.translation() / n;
-  double squares = 0;
-  for (const PosePair& pair : pairs) squares += (pair.truth.translation() - mean).squaredNorm() / n;
-  return std::sqrt(squares);
-}
-
 void EvaluateCameras(const fs::path& run, const std::vector<TimedPose>& truth,
                      const ObjectEvaluationOptions& options, EvaluatedRoom& room) {
   const fs::path file = run / "trajectory.txt";
@@ -38,8 +27,7 @@ void EvaluateCameras(const fs::path& run, const std::vector<TimedPose>& truth,
   const std::vector<TimedPose> cameras = ReadTumTrajectory(file);
   const std::vector<PosePair> pairs = PairPoses(cameras, truth, options.tolerance);
   if (pairs.empty()) return;
-  if (const Similarity sim3 = Align(pairs, AlignmentKind::kSim3, 0);
-      !sim3.is_degenerate && SpreadOfTruth(pairs) >= kLeastMotion_m)
+  if (const Similarity sim3 = Align(pairs, AlignmentKind::kSim3, 0); !sim3.is_degenerate && Moves(pairs))
     room.log_scale = -std::log(sim3.scale);
   const TrajectoryEvaluation moved = EvaluateTrajectory(
       cameras, truth,
@@ -59,13 +47,20 @@ void AddObjects(const RunObjects& objects, const std::vector<TrueObject>& truth,
   }
 }
 
-SequenceTruth LoadRoom(const RunToEvaluate& run, const std::vector<CategorySpec>& specs) {
+struct RoomTruth {
+  SequenceTruth sequence;
+  std::vector<CategoryModel> models;  // its own where its objects are categories of their own
+};
+
+RoomTruth LoadRoom(const RunToEvaluate& run, const std::vector<CategoryModel>& given) {
   for (const char* file : {"groundtruth.txt", "objects_gt.csv"}) {
     if (run.HasTruth(file)) continue;
     throw InputError(fmt::format("{}: has no {}, without which a run is in no room; leave out {}",
                                  run.truth.string(), file, run.run.folder.string()));
   }
-  return LoadSequenceTruth(run.truth, specs);
+  std::vector<CategoryModel> models = ModelsOfSequence(run.truth, given);
+  SequenceTruth sequence = LoadSequenceTruth(run.truth, CollectSpecs(models));
+  return {std::move(sequence), std::move(models)};
 }
 
 std::vector<ObjectCircumstances> DescribeObjectsFor(const RunResults& run, const SequenceTruth& truth,
@@ -141,13 +136,14 @@ std::vector<RoomVariant> EvaluateRooms(const std::vector<RunToEvaluate>& runs,
                                        const ObjectEvaluationOptions& options) {
   std::vector<RoomVariant> variants;
   const GivenFolders folders = CollectFolders(runs);
-  std::map<std::string, SequenceTruth> truths;
+  std::map<fs::path, RoomTruth> truths;  // by folder: those of substituted sequences differ
   for (const RunToEvaluate& run : runs) {
     ThrowIfInterrupted();
-    auto truth = truths.find(run.run.sequence);
-    if (truth == truths.end())
-      truth = truths.emplace(run.run.sequence, LoadRoom(run, CollectSpecs(models))).first;
-    AddRoom(NameVariant(run, folders), EvaluateRoom(run, truth->second, models, options), variants);
+    const fs::path folder = Normal(run.truth);
+    auto truth = truths.find(folder);
+    if (truth == truths.end()) truth = truths.emplace(folder, LoadRoom(run, models)).first;
+    const auto& [sequence, of_room] = truth->second;
+    AddRoom(NameVariant(run, folders), EvaluateRoom(run, sequence, of_room, options), variants);
   }
   for (RoomVariant& variant : variants) {
     std::sort(variant.rooms.begin(), variant.rooms.end(),

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eval/rooms/error_budget.h"
+
 namespace armature {
 namespace {
 
@@ -15,12 +17,6 @@ constexpr double kFarOff_m = 0.2;     // of a centre
 constexpr double kTurned_deg = 30;    // of an azimuth
 constexpr double kWrongCameras_m = 0.1;
 constexpr size_t kNamedObjects = 3;
-
-double RoomError(const EvaluatedRoom& room, double gate_m) {
-  double sum = gate_m * room.spurious;
-  for (const RoomObject& object : room.objects) sum += object.of.error ? object.of.error->centre_m : gate_m;
-  return sum / std::max(room.observed(), 1);
-}
 
 // The furthest first.
 std::vector<std::string> FarObjects(const EvaluatedRoom& room) {
@@ -46,7 +42,7 @@ std::vector<std::string> FarObjects(const EvaluatedRoom& room) {
 std::vector<WorstRoomRecord> FindWorstRooms(const RoomVariant& variant, double gate_m) {
   std::vector<WorstRoomRecord> worst;
   for (const EvaluatedRoom& room : variant.rooms)
-    worst.push_back({variant.name, room.room, room.folder.string(), RoomError(room, gate_m)});
+    worst.push_back({variant.name, room.room, room.folder.string(), ErrorOfSameObjects(room, room, gate_m)});
   std::stable_sort(worst.begin(), worst.end(),
                    [](const WorstRoomRecord& a, const WorstRoomRecord& b) { return a.error_m > b.error_m; });
   if (worst.size() > kWorstRooms) worst.resize(kWorstRooms);

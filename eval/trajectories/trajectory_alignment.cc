@@ -20,6 +20,8 @@ constexpr double kStill = 1e-8;      // units of the trajectory
 constexpr double kRounding = 1e-14;  // of the distance from the origin
 constexpr double kLine = 1e-10;      // second over first singular value: 1e-5 of the length across
 
+constexpr double kLeastMotion_m = 0.05;  // of a camera whose path tells a scale
+
 // First and second moments of the pairs' positions and rotations.
 struct Moments {
   Eigen::Vector3d mean_estimate{0, 0, 0}, mean_truth{0, 0, 0};
@@ -158,6 +160,18 @@ Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int fir
     default:
       return LeastSquares(pairs, false);
   }
+}
+
+bool Moves(const std::vector<PosePair>& pairs) {
+  return !pairs.empty() && std::sqrt(ComputeMoments(pairs).variance_truth) >= kLeastMotion_m;
+}
+
+std::optional<double> PathScale(const std::vector<PosePair>& pairs) {
+  if (!Moves(pairs)) return std::nullopt;
+  const Moments m = ComputeMoments(pairs);
+  if (StaysInPlace(std::sqrt(m.variance_estimate), m.mean_estimate)) return std::nullopt;
+  const double scale = LeastSquares(pairs, true).scale;
+  return scale > 0 ? std::optional(scale) : std::nullopt;
 }
 
 }  // namespace armature

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <vector>
 
 #include "eval/trajectories/pose_pairs.h"
@@ -34,5 +35,12 @@ struct Similarity {
 //     rotations nearest to the true ones;
 //   end_points, and the first and last position of one of the trajectories are equal: scale 1.
 Similarity Align(const std::vector<PosePair>& pairs, AlignmentKind kind, int first_n);
+
+// Whether the true camera moves enough for its path to have a scale: 5 cm from the mean of its positions
+// (rms).
+bool Moves(const std::vector<PosePair>& pairs);
+
+// Metres per unit of the estimate, as kSim3 has it; none where one of the trajectories stays where it is.
+std::optional<double> PathScale(const std::vector<PosePair>& pairs);
 
 }  // namespace armature

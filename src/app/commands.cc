@@ -16,6 +16,7 @@
 #include "cli/help.h"
 #include "datasets/cad/families.h"
 #include "datasets/generate_command.h"
+#include "eval/budget/substitute_command.h"
 #include "eval/compare_command.h"
 #include "eval/eval_command.h"
 #include "eval/report/report_command.h"
@@ -57,6 +58,7 @@ void AddCommands(CLI::App& program, int& exit_status) {
   AddRetrieveCommand(program, exit_status);
   AddEvalCommand(program, exit_status);
   AddCompareCommand(program, CompareBenches, exit_status);
+  AddSubstituteCommand(program, exit_status);
   AddBenchCommand(program, exit_status);
   AddReportCommand(program, exit_status);
   AddPoseGraphCommand(program, exit_status);

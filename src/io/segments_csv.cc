@@ -32,8 +32,8 @@ std::vector<std::vector<Segment>> ReadSegments(const std::filesystem::path& file
   return segments;
 }
 
-void WriteSegments(const std::filesystem::path& file, const std::vector<double>& stamps,
-                   const std::vector<std::vector<Segment>>& segments) {
+std::string SegmentsText(const std::vector<double>& stamps,
+                         const std::vector<std::vector<Segment>>& segments) {
   std::string text = "timestamp,x1,y1,x2,y2\n";
   for (size_t i = 0; i < stamps.size(); ++i) {
     for (const Segment& segment : segments[i]) {
@@ -41,7 +41,12 @@ void WriteSegments(const std::filesystem::path& file, const std::vector<double>&
                           Fixed(segment.p1.y(), 2), Fixed(segment.p2.x(), 2), Fixed(segment.p2.y(), 2));
     }
   }
-  WriteFile(file, text);
+  return text;
+}
+
+void WriteSegments(const std::filesystem::path& file, const std::vector<double>& stamps,
+                   const std::vector<std::vector<Segment>>& segments) {
+  WriteFile(file, SegmentsText(stamps, segments));
 }
 
 }  // namespace armature

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "geometry/segment.h"
@@ -14,6 +15,10 @@ namespace armature {
 // InputError: a malformed file, a row without image, a segment of no length.
 std::vector<std::vector<Segment>> ReadSegments(const std::filesystem::path& file,
                                                const std::vector<ImageEntry>& images);
+
+// What such a file holds: the segments of each stamp.
+std::string SegmentsText(const std::vector<double>& stamps,
+                         const std::vector<std::vector<Segment>>& segments);
 
 // Throws std::runtime_error when the file cannot be written.
 void WriteSegments(const std::filesystem::path& file, const std::vector<double>& stamps,
