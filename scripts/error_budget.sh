@@ -15,9 +15,7 @@ rooms=$1 out=$2
 shift 2
 read -ra truths <<<"${TRUTHS:-scale cameras detections viewpoints lines identities shapes}"
 
-"$armature" --quiet substitute "$rooms"/*/ --truth "$(IFS=,; echo "${truths[*]}")" --out "$out/input" >"$out.log" ||
-  { rm -f "$out.log"; exit 2; }
-mv "$out.log" "$out/input.log"
+"$armature" --quiet substitute "$rooms"/*/ --truth "$(IFS=,; echo "${truths[*]}")" --out "$out/input" >/dev/null
 
 # run_room VARIANT ROOM OPTION...: rooms whose objects are categories of their own bring their models.
 run_room() {

@@ -8,6 +8,7 @@
 #include "eval/trajectories/trajectory_metrics.h"
 #include "eval/trajectories/trajectory_tables.h"
 #include "geometry/rotation.h"
+#include "io/trajectory.h"
 #include "support/expect_input_error.h"
 #include "support/shared_data.h"
 
