@@ -28,8 +28,8 @@ size_t CountFrames(const Sequence& sequence, size_t limit) {
 
 // The same without frames.
 BenchSequence Emptied(const BenchSequence& sequence) {
-  return {
-      sequence.name, sequence.camera, sequence.up_odom, sequence.odometry_metric, sequence.camera_height, {}};
+  return {sequence.name,         sequence.camera, sequence.up_odom, sequence.odometry_metric, {},
+          sequence.camera_height};
 }
 
 // Pixel centres are whole numbers: a picture of `scale` times the width reaches from -0.5 to scale w - 0.5.
@@ -49,8 +49,8 @@ void CheckHasObjects(const Sequence& sequence, size_t limit) {
 
 BenchSequence LoadBenchSequence(const Sequence& sequence, size_t limit) {
   CheckHasObjects(sequence, limit);
-  BenchSequence loaded{
-      sequence.name, sequence.camera, sequence.up, sequence.odometry_metric, sequence.camera_height, {}};
+  BenchSequence loaded{sequence.name,         sequence.camera, sequence.up, sequence.odometry_metric, {},
+                       sequence.camera_height};
   for (size_t i = 0; i < CountFrames(sequence, limit); ++i) {
     ThrowIfInterrupted();
     loaded.frames.push_back(LoadFrame(sequence, i));

@@ -28,8 +28,8 @@ struct BenchSequence {
   Camera camera;
   std::optional<Eigen::Vector3d> up_odom;  // unit, where the sequence gives one
   bool odometry_metric = false;
-  std::optional<FloorPrior> camera_height;  // above the floor, where it is known
   std::vector<BenchFrame> frames;
+  std::optional<FloorPrior> camera_height{};  // above the floor, where it is known
 };
 
 // The stages that engines are compared by.
